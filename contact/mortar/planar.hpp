@@ -1,0 +1,85 @@
+// The mortar integrals of one pair of facets, as a function of 16 in-plane coordinates only.
+#pragma once
+
+#include <vector>
+
+#include "contact/bilinear.hpp"
+#include "contact/clipping.hpp"
+#include "contact/triangle_rule.hpp"
+
+namespace mortise {
+
+/// Mortar integrals over the overlap of a secondary and a primary facet in the auxiliary plane (thesis eq. 4.124) [m^2]:
+///   D_IJ = int N_I N_J da,   M_IK = int N_I N_K(primary) da.
+/// D is symmetric (upper triangle filled, mirrored by `planar_integrals`). sum(D) = sum(M) = area of the overlap.
+template <class T>
+struct MortarIntegrals {
+  T D[4][4];
+  T M[4][4];
+};
+
+/// Area centroid of a polygon: the fan about it keeps D and M continuous when vertices appear. @return false if it has no area
+template <class T>
+bool area_centroid(const Polygon<T>& p, Vec2<T>& centroid) {
+  T area = 0.0, mx = 0.0, my = 0.0;
+  const Vec2<T>& o = p.vertex[0];
+  for (int k = 1; k + 1 < p.n; ++k) {
+    const Vec2<T> a = p.vertex[k] - o, b = p.vertex[k + 1] - o;
+    const T w = cross(a, b);
+    area += w;
+    mx += w * (a.x + b.x);
+    my += w * (a.y + b.y);
+  }
+  if (!(value(area) > 0)) return false;
+  centroid = {T(o.x + mx / (3.0 * area)), T(o.y + my / (3.0 * area))};
+  return std::isfinite(value(centroid.x)) && std::isfinite(value(centroid.y));
+}
+
+/// Adds the integrals over one polygon of the overlap, a fan of triangles about its centroid.
+template <class T>
+void add_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad<T>& primary, const std::vector<TrianglePoint>& rule,
+                 MortarIntegrals<T>& sum) {
+  Vec2<T> c;
+  if (!area_centroid(polygon, c)) return;
+  for (int k = 0; k < polygon.n; ++k) {
+    const Vec2<T>&v = polygon.vertex[k], &w = polygon.vertex[(k + 1) % polygon.n];
+    const T triangle = 0.5 * cross(Vec2<T>(v - c), Vec2<T>(w - c));  // signed: no root, and slivers cancel instead of adding up
+    for (const auto& point : rule) {
+      const Vec2<T> x{T(point.b0 * c.x + point.b1 * v.x + point.b2 * w.x), T(point.b0 * c.y + point.b1 * v.y + point.b2 * w.y)};
+      const auto N1 = shape_at(secondary, x);
+      const auto N2 = shape_at(primary, x);
+      for (int I = 0; I < 4; ++I) {
+        const T weighted = point.weight * triangle * N1[I];
+        for (int J = I; J < 4; ++J) sum.D[I][J] += weighted * N1[J];
+        for (int K = 0; K < 4; ++K) sum.M[I][K] += weighted * N2[K];
+      }
+    }
+  }
+}
+
+/// D and M of a projected pair. Facets with a reflex corner are split; facets without area give zero.
+/// Derivative: exact for T an AD type, except at crossings of nearly parallel edges (see `crossing`).
+/// @param y in-plane coordinates [m], x and y of the 4 secondary nodes, then of the 4 primary nodes
+template <class T>
+MortarIntegrals<T> planar_integrals(const T* y, const std::vector<TrianglePoint>& rule) {
+  MortarIntegrals<T> sum;
+  for (int I = 0; I < 4; ++I)
+    for (int J = 0; J < 4; ++J) sum.D[I][J] = sum.M[I][J] = 0.0;
+  Quad<T> secondary, primary;
+  for (int a = 0; a < 4; ++a) {
+    secondary[a] = {y[2 * a], y[2 * a + 1]};
+    primary[a] = {y[8 + 2 * a], y[8 + 2 * a + 1]};
+  }
+  std::array<Polygon<T>, 2> subjects, clips;
+  const int n_subjects = convex_pieces(primary, subjects), n_clips = convex_pieces(secondary, clips);
+  for (int s = 0; s < n_subjects; ++s)
+    for (int c = 0; c < n_clips; ++c) {
+      const auto overlap = clip_polygon(subjects[s], clips[c]);
+      if (overlap.n > 0) add_polygon(overlap, secondary, primary, rule, sum);
+    }
+  for (int I = 0; I < 4; ++I)
+    for (int J = 0; J < I; ++J) sum.D[I][J] = sum.D[J][I];
+  return sum;
+}
+
+}  // namespace mortise

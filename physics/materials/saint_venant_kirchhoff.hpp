@@ -1,0 +1,49 @@
+// Saint Venant-Kirchhoff solid: Hooke's law between the Green-Lagrange strain and the second Piola-Kirchhoff stress.
+#pragma once
+
+#include "physics/materials/moduli.hpp"
+#include "physics/tensor.hpp"
+
+namespace mortise {
+
+/// Saint Venant-Kirchhoff solid (thesis eq. 3.106), E = (F^T F - I)/2. Softens and fails in strong compression: for moderate strain.
+///   W(F) = lambda/2 (tr E)^2 + mu E : E
+struct SaintVenantKirchhoff {
+  static constexpr const char* name = "saint venant-kirchhoff";
+  double shear_modulus;  ///< mu     [Pa], > 0
+  double lame_lambda;    ///< lambda [Pa]
+
+  static SaintVenantKirchhoff from(const Moduli& m) { return {m.shear_modulus(), m.lame_lambda()}; }
+
+  /// Strain energy per unit reference volume [J/m^3].
+  template <class T>
+  T strain_energy(const Tensor3<T>& F) const {
+    const Tensor3<T> E = green_lagrange(F);
+    const T trace = E(0, 0) + E(1, 1) + E(2, 2);
+    return 0.5 * lame_lambda * trace * trace + shear_modulus * norm_squared(E);
+  }
+
+  /// First Piola-Kirchhoff stress P = dW/dF [Pa]:  P = F (lambda tr E I + 2 mu E).
+  template <class T>
+  Tensor3<T> first_piola(const Tensor3<T>& F) const {
+    Tensor3<T> S = green_lagrange(F);
+    const T pressure = lame_lambda * (S(0, 0) + S(1, 1) + S(2, 2));
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) S(i, j) = 2.0 * shear_modulus * S(i, j);
+    for (int i = 0; i < 3; ++i) S(i, i) += pressure;
+    return F * S;
+  }
+
+ private:
+  template <class T>
+  static Tensor3<T> green_lagrange(const Tensor3<T>& F) {
+    Tensor3<T> E = transpose_times(F, F);
+    for (int i = 0; i < 3; ++i) {
+      E(i, i) -= 1.0;
+      for (int j = 0; j < 3; ++j) E(i, j) = 0.5 * E(i, j);
+    }
+    return E;
+  }
+};
+
+}  // namespace mortise

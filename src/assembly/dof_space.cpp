@@ -1,0 +1,44 @@
+#include "assembly/dof_space.hpp"
+
+namespace mortise {
+
+DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm) {
+  const Mesh& mesh = scene.mesh.mesh;
+  n_nodes_ = mortise::n_nodes(mesh);
+  const int rank = comm->getRank();
+  const int n_points = n_nodes_ + scene.n_multipliers;
+  std::vector<char> needed(n_points, 0), mine(n_points, 0);
+  for (int n = 0; n < n_nodes_; ++n) mine[n] = partition.node_rank[n] == rank;
+  for (int e = 0; e < n_elements(mesh); ++e)
+    if (partition.element_rank[e] == rank)
+      for (int n : element_nodes(mesh, e)) needed[n] = 1;
+  for (const auto& pair : scene.pairs) {
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
+      const int node = pair.secondary_nodes[k], multiplier = n_nodes_ + pair.first_multiplier + static_cast<int>(k);
+      needed[node] = needed[multiplier] = 1;
+      mine[multiplier] = mine[node];
+    }
+    for (int node : pair.primary.nodes()) needed[node] = 1;
+  }
+
+  local_.assign(n_points, -1);
+  std::vector<GlobalIndex> dofs;
+  const auto append = [&](int point) {
+    local_[point] = static_cast<int>(dofs.size());
+    overlap_points_.push_back(point);
+    for (int i = 0; i < size(point); ++i) dofs.push_back(global(point) + i);
+  };
+  for (int p = 0; p < n_points; ++p)
+    if (mine[p]) append(p);
+  n_owned_ = static_cast<int>(dofs.size());
+  const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  owned_map_ = Teuchos::rcp(new Map(invalid, Teuchos::ArrayView<const GlobalIndex>(dofs.data(), n_owned_), 0, comm));
+  for (int p = 0; p < n_points; ++p)
+    if (needed[p] && !mine[p]) append(p);
+  overlap_map_ = Teuchos::rcp(new Map(invalid, Teuchos::ArrayView<const GlobalIndex>(dofs.data(), dofs.size()), 0, comm));
+  importer_ = Teuchos::rcp(new Import(owned_map_, overlap_map_));
+}
+
+std::size_t DofSpace::ghost_bytes() const { return sizeof(double) * (overlap_map_->getNodeNumElements() - n_owned_); }
+
+}  // namespace mortise

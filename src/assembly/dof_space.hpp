@@ -1,0 +1,43 @@
+// Unknowns and where they live: three positions per node, one pressure per secondary contact node.
+#pragma once
+
+#include <vector>
+
+#include "assembly/tpetra.hpp"
+#include "mesh/partition.hpp"
+#include "scene.hpp"
+
+namespace mortise {
+
+/// A point is what carries unknowns: node n is point n (3 unknowns), multiplier k is point n_nodes + k (1 unknown).
+/// Global numbers: 3 n + i for positions, 3 n_nodes + k for pressures. A rank's *overlap* holds its own points first, then copies of
+/// all points its elements touch and of all contact-surface points (first version of ghosting: their positions are on every rank).
+class DofSpace {
+ public:
+  DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm);
+
+  int n_nodes() const { return n_nodes_; }
+  int n_points() const { return static_cast<int>(local_.size()); }
+  int size(int point) const { return point < n_nodes_ ? 3 : 1; }
+  GlobalIndex global(int point) const { return point < n_nodes_ ? 3LL * point : 2LL * n_nodes_ + point; }
+
+  /// First local index of a point in the overlap; -1 if it is not on this rank. Owned points come first.
+  int local(int point) const { return local_[point]; }
+  bool owned(int point) const { return local_[point] >= 0 && local_[point] < n_owned_; }
+  const std::vector<int>& overlap_points() const { return overlap_points_; }
+  int n_owned() const { return n_owned_; }  ///< owned unknowns on this rank
+
+  RCP<const Map> owned_map() const { return owned_map_; }
+  RCP<const Map> overlap_map() const { return overlap_map_; }
+  RCP<const Import> importer() const { return importer_; }  ///< owned -> overlap; reversed with ADD it sums shares
+  RCP<const Comm> comm() const { return owned_map_->getComm(); }
+  std::size_t ghost_bytes() const;  ///< moved by one import on this rank
+
+ private:
+  int n_nodes_, n_owned_ = 0;
+  std::vector<int> local_, overlap_points_;
+  RCP<const Map> owned_map_, overlap_map_;
+  RCP<const Import> importer_;
+};
+
+}  // namespace mortise

@@ -1,0 +1,252 @@
+#include "assembly/mortar_term.hpp"
+
+#include <algorithm>
+
+namespace mortise {
+namespace {
+
+int position_of(std::vector<int>& list, int first, int entry) {
+  const auto found = std::find(list.begin() + first, list.end(), entry);
+  if (found != list.end()) return static_cast<int>(found - list.begin()) - first;
+  list.push_back(entry);
+  return static_cast<int>(list.size()) - 1 - first;
+}
+
+}  // namespace
+
+MortarTerm::MortarTerm(const Scene& scene, const ContactPair& pair, const Partition& partition, const DofSpace& dofs)
+    : pair_(pair), dofs_(dofs), rule_(triangle_rule(pair.quadrature_degree)), patches_(pair.secondary.patches()) {
+  (void)scene;
+  const auto& nodes = pair.secondary_nodes;
+  first_facet_.assign(nodes.size(), -1);
+  for (std::size_t k = 0; k < pair.secondary.facets.size(); ++k) {
+    if (partition.element_rank[pair.secondary_elements[k]] != dofs.comm()->getRank()) continue;
+    Facet facet;
+    facet.index = static_cast<int>(k);
+    for (int a = 0; a < 4; ++a) {
+      facet.corner[a] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), pair.secondary.facets[k][a]) - nodes.begin());
+      if (first_facet_[facet.corner[a]] < 0) first_facet_[facet.corner[a]] = static_cast<int>(facets_.size());
+    }
+    list_points(facet);
+    facets_.push_back(std::move(facet));
+  }
+  normal_.resize(nodes.size());
+  load_.resize(nodes.size());
+  normal_gradient_.resize(nodes.size());
+  patch_x_.resize(nodes.size());
+}
+
+void MortarTerm::list_points(Facet& facet) {
+  facet.points.assign(pair_.secondary.facets[facet.index].begin(), pair_.secondary.facets[facet.index].end());
+  for (int corner : facet.corner)
+    for (int node : patches_[corner].nodes) position_of(facet.points, 0, node);
+  facet.n_patch = static_cast<int>(facet.points.size());
+  facet.primary_at.clear();
+  for (int candidate : facet.candidates) {
+    std::array<int, 4> at;
+    for (int a = 0; a < 4; ++a) at[a] = position_of(facet.points, facet.n_patch, pair_.primary.facets[candidate][a]);
+    facet.primary_at.push_back(at);
+  }
+  facet.n_primary = static_cast<int>(facet.points.size()) - facet.n_patch;
+  for (int corner : facet.corner) facet.points.push_back(pressure_point(corner));
+}
+
+bool MortarTerm::search(const double* x, double reach) {
+  ++counts_.searches;
+  const auto box_of = [&](const std::array<int, 4>& facet) {
+    Box box;
+    for (int node : facet) box.include(position(x, node));
+    return box;
+  };
+  std::vector<Box> boxes;
+  for (const auto& facet : pair_.primary.facets) boxes.push_back(box_of(facet));
+  const BoxTree tree(std::move(boxes));
+  bool changed = false;
+  for (auto& facet : facets_) {
+    Box box = box_of(pair_.secondary.facets[facet.index]);
+    box.widen(reach);
+    auto hits = tree.query(box);
+    if (hits == facet.candidates) continue;
+    facet.candidates = std::move(hits);
+    list_points(facet);
+    changed = true;
+  }
+  return changed;
+}
+
+void MortarTerm::append_cells(std::vector<Cell>& cells) {
+  first_cell_ = cells.size();
+  for (const auto& facet : facets_) cells.push_back(facet.points);
+}
+
+std::vector<Vec3<double>> MortarTerm::normals(const double* x) const {
+  std::vector<Vec3<double>> n;
+  for (const auto& patch : patches_) {
+    std::vector<Vec3<double>> positions;
+    for (int node : patch.nodes) positions.push_back(position(x, node));
+    n.push_back(nodal_normal(patch, positions));
+  }
+  return n;
+}
+
+void MortarTerm::integrate(const double* x, bool with_tangent, double* f, double* weighted_gap, double* area) {
+  closure_ = 0;
+  n_covered_ = 0;
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    if (first_facet_[k] < 0) continue;
+    auto& positions = patch_x_[k];
+    positions.clear();
+    for (int node : patches_[k].nodes) positions.push_back(position(x, node));
+    normal_[k] = nodal_normal(patches_[k], positions);
+    load_[k] = {0, 0, 0};
+    for (int i = 0; i < 3; ++i) {
+      Vec3<double> axis{};
+      axis[i] = 1;
+      normal_pull_back(patches_[k], positions, axis, normal_gradient_[k][i]);
+    }
+  }
+  for (auto& facet : facets_) integrate_facet(facet, x, with_tangent, f, weighted_gap, area);
+
+  // The normals turn with the surface: (dn/dx)^T (p g) acts on the patch, and its change with x is the curvature term.
+  for (std::size_t k = 0; k < patches_.size(); ++k) {
+    if (first_facet_[k] < 0) continue;
+    const auto& nodes = patches_[k].nodes;
+    for (std::size_t b = 0; b < nodes.size(); ++b)
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) f[dofs_.local(nodes[b]) + j] += normal_gradient_[k][i][b][j] * load_[k][i];
+    Facet& facet = facets_[first_facet_[k]];
+    if (!with_tangent || dot(load_[k], load_[k]) == 0) continue;
+    const int n = 3 * static_cast<int>(nodes.size()), width = 3 * (facet.n_patch + facet.n_primary) + 4;
+    if (facet.matrix.empty()) facet.matrix.assign(static_cast<std::size_t>(width) * width, 0.0);
+    std::vector<double> H(static_cast<std::size_t>(n) * n, 0.0);
+    add_normal_curvature(patches_[k], patch_x_[k], load_[k], H);
+    std::vector<int> at;
+    for (int node : nodes) at.push_back(position_of(facet.points, 0, node));
+    for (int r = 0; r < n; ++r)
+      for (int c = 0; c < n; ++c)
+        facet.matrix[static_cast<std::size_t>(3 * at[r / 3] + r % 3) * width + 3 * at[c / 3] + c % 3] += H[static_cast<std::size_t>(r) * n + c];
+  }
+}
+
+void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, double* weighted_gap, double* area) {
+  const auto& nodes = pair_.secondary.facets[facet.index];
+  PairInput input;
+  for (int a = 0; a < 4; ++a) {
+    input.x[a] = position(x, nodes[a]);
+    input.normal[a] = normal_[facet.corner[a]];
+    input.pressure[a] = x[dofs_.local(pressure_point(facet.corner[a]))];
+  }
+  const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
+  const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
+
+  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes.
+  const int n_local = 28 + 3 * facet.n_primary;
+  std::vector<double> K;
+  facet.matrix.clear();
+  double covered = 0;
+  PairTangent pair;
+  for (std::size_t k = 0; k < facet.candidates.size(); ++k) {
+    for (int a = 0; a < 4; ++a) input.x[4 + a] = position(x, pair_.primary.facets[facet.candidates[k]][a]);
+    const Vec3<double> other = normal_of(&input.x[4]);
+    ++counts_.pairs;
+    constexpr double cos_80 = 0.17364817766693033;
+    if (!(dot(facet_normal, other) < -cos_80 * norm(facet_normal) * norm(other))) {
+      ++counts_.turned_away;
+      continue;
+    }
+    if (!(with_tangent ? pair_tangent(input, rule_, pair) : pair_values(input, rule_, pair))) continue;
+    ++counts_.overlaps;
+
+    for (int a = 0; a < 4; ++a) {
+      const int pressure = dofs_.local(pressure_point(facet.corner[a]));
+      weighted_gap[pressure] += pair.row[36 + a];
+      area[pressure] += pair.covered_area[a];
+      covered += pair.covered_area[a];
+      const int secondary = dofs_.local(nodes[a]), primary = dofs_.local(pair_.primary.facets[facet.candidates[k]][a]);
+      for (int i = 0; i < 3; ++i) {
+        f[secondary + i] += pair.row[3 * a + i];
+        f[primary + i] += pair.row[12 + 3 * a + i];
+        load_[facet.corner[a]][i] += pair.row[24 + 3 * a + i];
+      }
+    }
+    if (!with_tangent) continue;
+    if (K.empty()) K.assign(static_cast<std::size_t>(n_local) * n_local, 0.0);
+    int at[40];
+    for (int c = 0; c < 12; ++c) {
+      at[c] = c;
+      at[12 + c] = 28 + 3 * facet.primary_at[k][c / 3] + c % 3;
+      at[24 + c] = 12 + c;
+    }
+    for (int c = 0; c < 4; ++c) at[36 + c] = 24 + c;
+    for (int r = 0; r < 40; ++r)
+      for (int c = 0; c < 40; ++c) K[static_cast<std::size_t>(at[r]) * n_local + at[c]] += pair.d[r][c];
+  }
+  if (!K.empty()) chain_normals(facet, K, n_local);
+
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  Quad<double> projected;
+  for (int a = 0; a < 4; ++a) projected[a] = {plane.y[2 * a], plane.y[2 * a + 1]};
+  const double whole = 0.5 * std::abs(twice_area(projected)), error = std::abs(covered - whole) / whole;
+  if (error < 1e-6) {  // nearer than any true partial cover of a mesh that is not made to deceive
+    closure_ = std::max(closure_, error);
+    ++n_covered_;
+  }
+}
+
+void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const {
+  const int n_patch = facet.n_patch, width = 3 * (n_patch + facet.n_primary) + 4;
+  const auto column = [&](int z) {  // of every local column that is not a normal
+    if (z < 12) return z;
+    if (z < 28) return 3 * (n_patch + facet.n_primary) + z - 24;
+    return 3 * n_patch + z - 28;
+  };
+  std::array<std::vector<int>, 4> patch_at;
+  for (int I = 0; I < 4; ++I)
+    for (int node : patches_[facet.corner[I]].nodes) patch_at[I].push_back(position_of(facet.points, 0, node));
+
+  std::vector<double> half(static_cast<std::size_t>(n_local) * width, 0.0);
+  for (int r = 0; r < n_local; ++r) {
+    const double* from = &K[static_cast<std::size_t>(r) * n_local];
+    double* to = &half[static_cast<std::size_t>(r) * width];
+    for (int z = 0; z < n_local; ++z)
+      if (z < 12 || z >= 24) to[column(z)] += from[z];
+    for (int I = 0; I < 4; ++I)
+      for (int i = 0; i < 3; ++i) {
+        const double factor = from[12 + 3 * I + i];
+        const auto& gradient = normal_gradient_[facet.corner[I]][i];
+        for (std::size_t b = 0; b < gradient.size(); ++b)
+          for (int j = 0; j < 3; ++j) to[3 * patch_at[I][b] + j] += factor * gradient[b][j];
+      }
+  }
+  facet.matrix.assign(static_cast<std::size_t>(width) * width, 0.0);
+  const auto add_row = [&](int to_row, double factor, int from_row) {
+    double* to = &facet.matrix[static_cast<std::size_t>(to_row) * width];
+    const double* from = &half[static_cast<std::size_t>(from_row) * width];
+    for (int c = 0; c < width; ++c) to[c] += factor * from[c];
+  };
+  for (int z = 0; z < n_local; ++z)
+    if (z < 12 || z >= 24) add_row(column(z), 1.0, z);
+  for (int I = 0; I < 4; ++I)
+    for (int i = 0; i < 3; ++i) {
+      const auto& gradient = normal_gradient_[facet.corner[I]][i];
+      for (std::size_t b = 0; b < gradient.size(); ++b)
+        for (int j = 0; j < 3; ++j) add_row(3 * patch_at[I][b] + j, gradient[b][j], 12 + 3 * I + i);
+    }
+}
+
+void MortarTerm::add_tangent(const double* gap_row, SystemMatrix& K) const {
+  std::vector<double> scaled;
+  for (std::size_t k = 0; k < facets_.size(); ++k) {
+    const Facet& facet = facets_[k];
+    if (facet.matrix.empty()) continue;
+    scaled = facet.matrix;
+    const std::size_t width = 3 * (facet.n_patch + facet.n_primary) + 4;
+    for (int a = 0; a < 4; ++a) {
+      const double factor = gap_row[dofs_.local(pressure_point(facet.corner[a]))];
+      for (std::size_t c = 0; c < width; ++c) scaled[(width - 4 + a) * width + c] *= factor;
+    }
+    K.add(first_cell_ + k, scaled.data());
+  }
+}
+
+}  // namespace mortise

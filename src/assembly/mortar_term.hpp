@@ -1,0 +1,87 @@
+// A frictionless mortar contact pair as a term of the scene: search, integration, shares of force and gap, and their derivative.
+#pragma once
+
+#include <vector>
+
+#include "assembly/pair_tangent.hpp"
+#include "assembly/system_matrix.hpp"
+#include "contact/bounding_volume.hpp"
+#include "scene.hpp"
+
+namespace mortise {
+
+/// Work done by a pair since the start, counted so that "absent effects cost nothing" can be checked.
+struct ContactCounts {
+  long searches = 0;       ///< tree queries for all facets
+  long pairs = 0;          ///< facet pairs projected and clipped
+  long overlaps = 0;       ///< of these, with an overlap
+  long turned_away = 0;    ///< of these, not facing each other within 80 degrees
+};
+
+/// One contact pair on this rank: the secondary facets whose element the rank owns.
+/// Order of calls: `search`, then per evaluation `integrate` -> (nodal sums over ranks, law) -> `add_...`.
+class MortarTerm {
+ public:
+  MortarTerm(const Scene& scene, const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
+
+  /// Lists for each facet the primary facets whose boxes, widened by `reach`, overlap. @param x positions on the overlap
+  /// @return whether a list changed
+  bool search(const double* x, double reach);
+
+  /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
+  void append_cells(std::vector<Cell>& cells);
+
+  /// Evaluates all pairs at positions and pressures `x` (overlap). Adds to nodal sums on the overlap, at the pressures' indices:
+  /// weighted gap [m^3] and covered area [m^2]; and the contact force to the rows of the nodes in `f`.
+  void integrate(const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
+
+  /// Adds the tangent. @param gap_row factor of each weighted-gap row (overlap, at the pressures' indices): 0 for open nodes
+  void add_tangent(const double* gap_row, SystemMatrix& K) const;
+
+  const ContactPair& pair() const { return pair_; }
+  const ContactCounts& counts() const { return counts_; }
+
+  /// Point of the k-th secondary node's pressure.
+  int pressure_point(std::size_t k) const { return dofs_.n_nodes() + pair_.first_multiplier + static_cast<int>(k); }
+
+  /// Averaged unit normals of all secondary nodes at positions `x` (overlap).
+  std::vector<Vec3<double>> normals(const double* x) const;
+
+  /// Greatest relative closure error |covered - facet area| / facet area over fully covered facets in the last `integrate`, and their number.
+  std::pair<double, int> closure() const { return {closure_, n_covered_}; }
+
+ private:
+  struct Facet {
+    int index;                         // in pair_.secondary.facets
+    std::array<int, 4> corner;         // positions of its nodes in pair_.secondary_nodes
+    std::vector<int> candidates;       // primary facets
+    std::vector<int> points;           // patch nodes (its own four first), primary nodes, pressures
+    int n_patch = 0, n_primary = 0;
+    std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
+    std::vector<double> matrix;        // last tangent over the unknowns of `points`
+  };
+  void list_points(Facet& facet);
+  void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
+  void chain_normals(Facet& facet, const std::vector<double>& K, int n_rows) const;
+  Vec3<double> position(const double* x, int node) const {
+    const double* q = x + dofs_.local(node);
+    return {q[0], q[1], q[2]};
+  }
+
+  const ContactPair& pair_;
+  const DofSpace& dofs_;
+  const std::vector<TrianglePoint>& rule_;
+  std::vector<NodePatch> patches_;       // per secondary node
+  std::vector<Facet> facets_;
+  std::vector<int> first_facet_;         // per secondary node: the facet of this rank that carries its curvature, -1: none
+  std::size_t first_cell_ = 0;
+  // state of the last evaluation, per secondary node used on this rank
+  std::vector<Vec3<double>> normal_, load_;
+  std::vector<std::array<std::vector<Vec3<double>>, 3>> normal_gradient_;  // row i: d n_i / d x of each patch node
+  std::vector<std::vector<Vec3<double>>> patch_x_;
+  ContactCounts counts_;
+  double closure_ = 0;
+  int n_covered_ = 0;
+};
+
+}  // namespace mortise

@@ -1,0 +1,38 @@
+// Seeds Sacado for contact pairs: shares of a facet pair, alone or with their complete derivative.
+#pragma once
+
+#include "contact/mortar/auxiliary_plane.hpp"
+#include "contact/mortar/nodal_normal.hpp"
+#include "contact/mortar/pair_residual.hpp"
+
+namespace mortise {
+
+/// Everything a pair depends on.
+struct PairInput {
+  std::array<Vec3<double>, 8> x;       ///< 4 secondary nodes, 4 primary nodes [m]
+  std::array<Vec3<double>, 4> normal;  ///< unit nodal normals
+  std::array<double, 4> pressure;      ///< nodal pressures [Pa]
+};
+
+/// Shares of a pair by value. Rows in the order of `PairShares`: 24 forces, 12 normal loads, 4 weighted gaps.
+struct PairOutput {
+  double row[40];
+  double covered_area[4];  ///< int N_I da [m^2]
+};
+
+/// Rows and their derivatives; columns: 24 positions, 12 normal components, 4 pressures.
+struct PairTangent : PairOutput {
+  double d[40][40];
+};
+
+/// @return false if the facets do not overlap (all shares are zero then)
+bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule, PairOutput& out);
+
+/// As `pair_values`, with the complete derivative: D and M by AD over 16 in-plane coordinates and pulled back in closed form, then the
+/// pair's equations by AD over all 40 inputs. @see pair_residual.hpp
+bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out);
+
+/// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch nodes, added to `H`.
+void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b, std::vector<double>& H);
+
+}  // namespace mortise

@@ -1,0 +1,340 @@
+#include "assembly/step_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_Time.hpp>
+#include <cmath>
+
+#include "contact/laws/signorini.hpp"
+#include "errors.hpp"
+
+namespace mortise {
+namespace {
+
+/// Adds the seconds of a scope to a counter.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& seconds) : seconds_(seconds), start_(Teuchos::Time::wallTime()) {}
+  ~Stopwatch() { seconds_ += Teuchos::Time::wallTime() - start_; }
+
+ private:
+  double& seconds_;
+  double start_;
+};
+
+double* data(Vector& v) { return v.getDataNonConst().getRawPtr(); }
+const double* data(const Vector& v) { return v.getData().getRawPtr(); }
+
+template <class T>
+void all_reduce(const Comm& comm, Teuchos::EReductionType type, std::vector<T>& values) {
+  std::vector<T> local = values;
+  if (!local.empty()) Teuchos::reduceAll(comm, type, static_cast<int>(local.size()), local.data(), values.data());
+}
+
+double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where) {
+  const double v = formula(t, X);
+  if (!std::isfinite(v))
+    throw DeckError(fmt::format("error[D40] {}: the formula \"{}\" gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where,
+                                formula.text(), v, t, X[0], X[1], X[2]));
+  return v;
+}
+
+}  // namespace
+
+StepProblem::StepProblem(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm)
+    : scene_(scene), dofs_(scene, partition, comm) {
+  for (const auto& body : scene.bodies) bodies_.push_back(std::make_unique<BodyTerm>(scene, body, partition, dofs_));
+  for (const auto& pair : scene.pairs) pairs_.push_back(std::make_unique<MortarTerm>(scene, pair, partition, dofs_));
+  external_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  identity_rows_.assign(dofs_.n_owned(), 0);
+}
+
+RCP<Vector> StepProblem::to_overlap(const Vector& owned) const {
+  auto overlap = Teuchos::rcp(new Vector(dofs_.overlap_map()));
+  overlap->doImport(owned, *dofs_.importer(), Tpetra::INSERT);
+  return overlap;
+}
+
+std::vector<double> StepProblem::gather(const Vector& owned) const {
+  std::vector<double> all(3 * static_cast<std::size_t>(dofs_.n_nodes()) + scene_.n_multipliers, 0.0);
+  const auto values = owned.getData();
+  for (int k = 0; k < dofs_.n_owned(); ++k) all[dofs_.owned_map()->getGlobalElement(k)] = values[k];
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, all);
+  return all;
+}
+
+void StepProblem::set_time(double t) {
+  time_ = t;
+  const auto& X = scene_.mesh.mesh.coordinates;
+  prescribed_.clear();
+  for (const auto& p : scene_.prescribed) {
+    if (!dofs_.owned(p.node)) continue;
+    const auto& support = scene_.supports[p.support];
+    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], "supports > " + support.name);
+    prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
+  }
+  external_->putScalar(0.0);
+  double* f = data(*external_);
+  for (const auto& traction : scene_.tractions)
+    for (const auto& [node, weight] : traction.weights) {
+      if (!dofs_.owned(node)) continue;
+      for (int i = 0; i < 3; ++i)
+        if (traction.traction[i]) f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], "loads > " + traction.name);
+    }
+}
+
+void StepProblem::build_graph() {
+  const Stopwatch watch(counts_.seconds_assembly);
+  std::vector<Cell> cells;
+  for (auto& body : bodies_) body->append_cells(cells);
+  for (auto& pair : pairs_) pair->append_cells(cells);
+  matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
+  ++counts_.graphs;
+}
+
+// The lists of candidates hold as long as no contact node has moved by half the reach they were made with.
+void StepProblem::update_search(const Vector& overlap_x) {
+  if (pairs_.empty()) {
+    if (!matrix_) build_graph();
+    return;
+  }
+  double moved = 0, reach = 0;
+  for (const auto& pair : scene_.pairs) reach = std::max(reach, 0.5 * pair.size);
+  if (!search_x_.is_null()) {
+    const double *now = data(overlap_x), *then = data(*search_x_);
+    for (const auto& pair : scene_.pairs)
+      for (const auto* surface : {&pair.secondary, &pair.primary})
+        for (const auto& facet : surface->facets)
+          for (int node : facet)
+            for (int i = 0; i < 3; ++i) moved = std::max(moved, std::abs(now[dofs_.local(node) + i] - then[dofs_.local(node) + i]));
+    std::vector<double> greatest{moved};  // every rank has all contact nodes, but must decide alike to the last bit
+    all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
+    if (greatest[0] <= 0.5 * reach && matrix_) return;
+  }
+  const Stopwatch watch(counts_.seconds_search);
+  std::vector<int> changed{0};
+  for (auto& pair : pairs_)
+    if (pair->search(data(overlap_x), reach)) changed[0] = 1;
+  search_x_ = Teuchos::rcp(new Vector(overlap_x, Teuchos::Copy));
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, changed);
+  if (changed[0] || !matrix_) build_graph();
+}
+
+Evaluation StepProblem::evaluate(const Vector& x) { return evaluate(x, false); }
+
+Evaluation StepProblem::linearise(const Vector& x, RCP<Matrix>& tangent) {
+  Evaluation out = evaluate(x, true);
+  tangent = tangent_;
+  return out;
+}
+
+Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
+  Evaluation out;
+  ++counts_.evaluations;
+  if (with_tangent) ++counts_.tangents;
+  const auto overlap_x = to_overlap(x);
+  std::vector<int> finite{std::isfinite(x.norm2()) ? 1 : 0};
+  if (!finite[0]) return out;
+  update_search(*overlap_x);
+  if (with_tangent) matrix_->zero();
+
+  Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map()), weighted_gap(dofs_.overlap_map()), area(dofs_.overlap_map());
+  std::vector<int> admissible{1};
+  {
+    const Stopwatch watch(counts_.seconds_elements);
+    for (auto& body : bodies_) {
+      const bool good = with_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_) : body->add_force(data(*overlap_x), data(internal));
+      if (!good) admissible[0] = 0;
+      if (with_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
+    }
+    all_reduce(*dofs_.comm(), Teuchos::REDUCE_MIN, admissible);
+  }
+  if (!admissible[0]) return out;
+  out.admissible = true;
+  {
+    const Stopwatch watch(counts_.seconds_contact);
+    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), data(weighted_gap), data(area));
+  }
+
+  const auto owned_sum = [&](const Vector& shares) {
+    auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
+    sum->doExport(shares, *dofs_.importer(), Tpetra::ADD);
+    return sum;
+  };
+  out.internal = owned_sum(internal);
+  out.contact = owned_sum(contact);
+  out.external = external_;
+  out.gap = owned_sum(weighted_gap);  // weighted until the law divides by the area
+  out.area = owned_sum(area);
+  out.residual = Teuchos::rcp(new Vector(*out.internal, Teuchos::Copy));
+  out.residual->update(1.0, *out.contact, -1.0, *external_, 1.0);
+
+  identity_rows_.assign(dofs_.n_owned(), 0);
+  Vector gap_row(dofs_.owned_map());
+  if (!pairs_.empty()) law(x, out, gap_row);
+
+  std::vector<double> greatest{0, out.gap_residual};
+  {
+    double* r = data(*out.residual);
+    const double* q = data(x);
+    for (const auto& [dof, position] : prescribed_) {
+      r[dof] = q[dof] - position;
+      identity_rows_[dof] = 1;
+      greatest[0] = std::max(greatest[0], std::abs(r[dof]));
+    }
+    std::vector<double> squares{0};
+    for (int point : dofs_.overlap_points()) {
+      if (!dofs_.owned(point) || dofs_.size(point) != 3) continue;
+      for (int i = 0; i < 3; ++i) {
+        const int k = dofs_.local(point) + i;
+        if (!identity_rows_[k]) squares[0] += r[k] * r[k];
+      }
+    }
+    all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, squares);
+    out.force_residual = std::sqrt(squares[0]);
+  }
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
+  out.support_residual = greatest[0];
+  out.gap_residual = greatest[1];
+  out.force_scale = std::max({out.internal->norm2(), out.external->norm2(), out.contact->norm2()});
+
+  if (with_tangent) {
+    {
+      const Stopwatch watch(counts_.seconds_contact);
+      const auto overlap_rows = to_overlap(gap_row);
+      for (auto& pair : pairs_) pair->add_tangent(data(*overlap_rows), *matrix_);
+    }
+    const Stopwatch watch(counts_.seconds_assembly);
+    tangent_ = matrix_->assemble();
+    const auto local = tangent_->getLocalMatrixHost();
+    const auto row_map = tangent_->getRowMap(), col_map = tangent_->getColMap();
+    for (int k = 0; k < dofs_.n_owned(); ++k) {
+      if (!identity_rows_[k]) continue;
+      const int diagonal = col_map->getLocalElement(row_map->getGlobalElement(k));
+      for (auto entry = local.graph.row_map(k); entry < local.graph.row_map(k + 1); ++entry)
+        local.values(entry) = local.graph.entries(entry) == diagonal ? 1.0 : 0.0;
+    }
+  }
+  return out;
+}
+
+void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
+  double *gap = data(*out.gap), *residual = data(*out.residual), *row = data(gap_row);
+  const double *area = data(*out.area), *pressure = data(x);
+  out.closed.assign(scene_.n_multipliers, 0);
+  for (const auto& pair : pairs_) {
+    const ContactPair& p = pair->pair();
+    for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
+      const int point = pair->pressure_point(k);
+      if (!dofs_.owned(point)) continue;
+      const int at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
+      const bool covered = area[at] > 1e-10 * p.tributary_area[k];
+      gap[at] = covered ? gap[at] / area[at] : 0.0;
+      const double c = covered ? std::max(normal_stiffness_[multiplier] / area[at], p.youngs_modulus / p.size) : 0.0;
+      residual[at] = covered ? complementarity(pressure[at], gap[at], c) : pressure[at];
+      // The branch is read off the derivative of the law: p - (p - c g) does not depend on p.
+      const bool closed = covered && pressure[at] - c * gap[at] > 0;
+      out.closed[multiplier] = closed;
+      identity_rows_[at] = !closed;
+      if (!closed) continue;
+      // The row is divided by c: an equation between lengths, whose derivative is that of the mean gap with the area held.
+      residual[at] = gap[at];
+      row[at] = 1.0 / area[at];
+      out.gap_residual = std::max(out.gap_residual, std::abs(gap[at]));
+    }
+  }
+  std::vector<int> all(out.closed.begin(), out.closed.end());
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, all);
+  for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
+}
+
+// c_n of each secondary node: its normal stiffness in the reference configuration over its covered area.
+void StepProblem::find_complementarity_constants() {
+  normal_stiffness_.assign(scene_.n_multipliers, 0.0);
+  Vector X(dofs_.owned_map());
+  RCP<Matrix> K;
+  double* q = data(X);
+  for (int n = 0; n < dofs_.n_nodes(); ++n)
+    if (dofs_.owned(n))
+      for (int i = 0; i < 3; ++i) q[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  const auto saved = std::move(prescribed_);
+  prescribed_.clear();
+  linearise(X, K);
+  prescribed_ = saved;
+  const auto local = K->getLocalMatrixHost();
+  const auto overlap_x = to_overlap(X);
+  for (const auto& pair : pairs_) {
+    const auto normals = pair->normals(data(*overlap_x));
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      const int node = pair->pair().secondary_nodes[k];
+      if (!dofs_.owned(node)) continue;
+      double stiffness = 0;
+      for (int i = 0; i < 3; ++i) {
+        const int row = dofs_.local(node) + i;
+        for (auto entry = local.graph.row_map(row); entry < local.graph.row_map(row + 1); ++entry) {
+          const GlobalIndex j = K->getColMap()->getGlobalElement(local.graph.entries(entry)) - 3LL * node;
+          if (j >= 0 && j < 3) stiffness += normals[k][i] * local.values(entry) * normals[k][j];
+        }
+      }
+      normal_stiffness_[pair->pair().first_multiplier + k] = stiffness;
+    }
+  }
+}
+
+State StepProblem::initial_state() {
+  State state;
+  state.x = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double* x = data(*state.x);
+  for (int n = 0; n < dofs_.n_nodes(); ++n)
+    if (dofs_.owned(n))
+      for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  if (pairs_.empty()) return state;
+
+  find_complementarity_constants();
+  const Evaluation at_rest = evaluate(*state.x);
+  const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
+  std::vector<int> deep(scene_.n_multipliers, 0);
+  std::vector<double> depth(scene_.n_multipliers, 0.0);
+  for (const auto& pair : pairs_) {
+    const ContactPair& p = pair->pair();
+    for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
+      const int point = pair->pressure_point(k), at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
+      if (!dofs_.owned(point) || !(area[at] > 1e-10 * p.tributary_area[k])) continue;
+      const double touch = 1e-8 * p.size;
+      if (gap[at] < -touch) {
+        deep[multiplier] = 1;
+        depth[multiplier] = -gap[at];
+      } else if (gap[at] <= touch) {
+        x[at] = 2 * touch * std::max(normal_stiffness_[multiplier] / area[at], p.youngs_modulus / p.size);
+      }
+    }
+  }
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, deep);
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, depth);
+  std::vector<std::string> messages;
+  for (const auto& pair : scene_.pairs)
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+      if (deep[pair.first_multiplier + k])
+        messages.push_back(fmt::format("error[M41] contact > {}: {} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart",
+                                       pair.name, describe_node(scene_.mesh, pair.secondary_nodes[k]),
+                                       depth[pair.first_multiplier + k] / pair.size, pair.size));
+  if (!messages.empty()) throw MeshError(messages);
+  return state;
+}
+
+RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures) {
+  Vector mixed(x, Teuchos::Copy);
+  double* to = data(mixed);
+  const double* from = data(pressures);
+  for (int point : dofs_.overlap_points())
+    if (dofs_.owned(point) && dofs_.size(point) == 1) to[dofs_.local(point)] = from[dofs_.local(point)];
+  const auto overlap_x = to_overlap(mixed);
+  Vector contact(dofs_.overlap_map()), gap(dofs_.overlap_map()), area(dofs_.overlap_map());
+  for (auto& pair : pairs_) pair->integrate(data(*overlap_x), false, data(contact), data(gap), data(area));
+  auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  sum->doExport(contact, *dofs_.importer(), Tpetra::ADD);
+  return sum;
+}
+
+}  // namespace mortise

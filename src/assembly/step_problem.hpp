@@ -1,0 +1,103 @@
+// The equations of one step: residual and tangent of the whole scene at a trial state.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "assembly/body_term.hpp"
+#include "assembly/mortar_term.hpp"
+
+namespace mortise {
+
+/// A converged state: positions and pressures at a time.
+struct State {
+  double time = 0;
+  RCP<Vector> x;  ///< owned unknowns: positions [m], pressures [Pa]
+};
+
+/// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
+struct Evaluation {
+  bool admissible = false;          ///< det F > 0 everywhere; if false nothing else is of use
+  RCP<Vector> residual;             ///< f_int + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
+  RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
+  RCP<Vector> gap;                  ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
+  RCP<Vector> area;                 ///< covered area at the rows of pressures [m^2]
+  double force_residual = 0;        ///< |R| over free positions [N]
+  double force_scale = 0;           ///< max(|f_int|, |f_ext|, |f_contact|) [N]
+  double gap_residual = 0;          ///< greatest |gap| of a closed node [m]
+  double support_residual = 0;      ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;         ///< per multiplier of the scene: the branch its law took
+  int n_closed = 0;
+};
+
+/// Where and how often work was done; printed with the run and compared in tests.
+struct WorkCounts {
+  long evaluations = 0, tangents = 0, element_tangents = 0, graphs = 0;
+  double seconds_search = 0, seconds_contact = 0, seconds_elements = 0, seconds_assembly = 0;
+};
+
+/// Quasi-static equations  f_int(q) + f_contact(q, p) = f_ext(t),  with supports and the contact law, for one step.
+/// Everything is collective over the ranks of the scene's communicator.
+class StepProblem {
+ public:
+  StepProblem(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm);
+
+  const DofSpace& dofs() const { return dofs_; }
+  const Scene& scene() const { return scene_; }
+
+  /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section 8).
+  /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
+  State initial_state();
+
+  /// Sets the time of the step to be solved: supports, loads and formulas are evaluated there.
+  /// @throws UserError (deck) when a formula gives no finite number
+  void set_time(double t);
+  double time() const { return time_; }
+
+  Evaluation evaluate(const Vector& x);
+
+  /// Residual and tangent. The matrix belongs to the problem and holds until the next call.
+  Evaluation linearise(const Vector& x, RCP<Matrix>& tangent);
+
+  /// Unknowns whose row is the identity after an evaluation: supported components and open pressures. On the owned map, 1 or 0.
+  const std::vector<char>& identity_rows() const { return identity_rows_; }
+
+  /// Number of times the graph was made; a direct solver repeats its analysis when it changes.
+  long graph_number() const { return counts_.graphs; }
+
+  const WorkCounts& counts() const { return counts_; }
+  const std::vector<std::unique_ptr<BodyTerm>>& bodies() const { return bodies_; }
+  const std::vector<std::unique_ptr<MortarTerm>>& pairs() const { return pairs_; }
+
+  /// Positions and pressures with copies of the other ranks' values.
+  RCP<Vector> to_overlap(const Vector& owned) const;
+
+  /// A quantity of every node (3 values) or pressure (1 value) on every rank, from an owned vector: for output. Index as global unknowns.
+  std::vector<double> gather(const Vector& owned) const;
+
+  /// Contact force on the bodies with pressures `p` taken from `pressures` and geometry from `x`; sign of the residual.
+  RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
+
+ private:
+  Evaluation evaluate(const Vector& x, bool with_tangent);
+  void update_search(const Vector& overlap_x);
+  void build_graph();
+  void law(const Vector& x, Evaluation& out, Vector& gap_row);
+  void find_complementarity_constants();
+
+  const Scene& scene_;
+  DofSpace dofs_;
+  std::vector<std::unique_ptr<BodyTerm>> bodies_;
+  std::vector<std::unique_ptr<MortarTerm>> pairs_;
+  std::unique_ptr<SystemMatrix> matrix_;
+  RCP<Matrix> tangent_;
+  RCP<Vector> search_x_;                 // overlap positions of the last search
+  double time_ = 0;
+  std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
+  RCP<Vector> external_;                 // owned
+  std::vector<double> normal_stiffness_; // per multiplier, owned by this rank or 0 [N/m]
+  std::vector<char> identity_rows_;
+  WorkCounts counts_;
+};
+
+}  // namespace mortise

@@ -1,0 +1,215 @@
+// Checks between the lists of a deck that need no mesh.
+#include "deck/cross_checks.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "deck/fields.hpp"
+#include "deck/formula.hpp"
+#include "errors.hpp"
+
+namespace mortise {
+
+namespace {
+
+template <class Options>
+std::vector<std::string> names_in(const Named<Options>& entries) {
+  std::vector<std::string> names;
+  for (const auto& entry : entries) names.push_back(entry.first);
+  return names;
+}
+
+class CrossChecks {
+ public:
+  CrossChecks(const DeckSource& source, const DeckOptions& options, Findings& findings)
+      : source_(source),
+        options_(options),
+        findings_(findings),
+        meshes_(names_in(options.meshes)),
+        known_meshes_(meshes_.begin(), meshes_.end()) {}
+
+  void run() {
+    check_bodies();
+    check_sets();
+    check_contact();
+    check_quantities();
+    check_times();
+    check_tables();
+    compile_formulas();
+    if (findings_.problems.empty()) check_use();
+  }
+
+ private:
+  void report(const std::string& code, const std::vector<std::string>& path, const std::string& what) {
+    findings_.problems.push_back(source_.problem(code, path, what));
+  }
+
+  /// An empty name was missing or faulty, and has been reported.
+  void check_mesh(const std::string& mesh, const std::vector<std::string>& path) {
+    if (!mesh.empty() && known_meshes_.count(mesh) == 0) {
+      report("D14", path, not_among("there is no mesh " + in_quotes(mesh), mesh, meshes_));
+    }
+  }
+
+  void check_bodies() {
+    const std::vector<std::string> materials = names_in(options_.materials);
+    const std::set<std::string> known_materials(materials.begin(), materials.end());
+    std::map<std::string, std::map<std::string, std::string>> owners;  // mesh -> block ("" for all) -> body
+    for (const auto& [name, body] : options_.bodies) {
+      check_mesh(body.mesh, {"bodies", name, "mesh"});
+      if (!body.material.empty() && known_materials.count(body.material) == 0) {
+        report("D14", {"bodies", name, "material"},
+               not_among("there is no material " + in_quotes(body.material), body.material, materials));
+      }
+      if (!body.mesh.empty()) check_blocks(name, body, owners[body.mesh]);
+    }
+  }
+
+  /// A block belongs to one body.
+  void check_blocks(const std::string& name, const BodyOptions& body, std::map<std::string, std::string>& owners) {
+    const std::vector<std::string> blocks = body.blocks.empty() ? std::vector<std::string>{""} : body.blocks;
+    for (const std::string& block : blocks) {
+      auto owner = owners.find(block);
+      if (owner == owners.end()) owner = block.empty() ? owners.begin() : owners.find("");
+      if (owner != owners.end()) {
+        const std::string which = block.empty() ? "some blocks" : "block " + in_quotes(block);
+        report("D19", {"bodies", name, body.blocks.empty() ? "mesh" : "blocks"},
+               which + " of this mesh belong to body " + in_quotes(owner->second) + " already");
+        return;
+      }
+    }
+    for (const std::string& block : blocks) owners.emplace(block, name);
+  }
+
+  void check_set(const std::string& set, const std::vector<std::string>& path) {
+    if (set.empty()) return;
+    const std::size_t slash = set.find('/');
+    if (slash == std::string::npos || slash == 0 || slash + 1 == set.size()) {
+      report("D14", path, "must be written \"mesh/set\"");
+      return;
+    }
+    check_mesh(set.substr(0, slash), path);
+  }
+
+  void check_sets() {
+    for (const auto& [name, support] : options_.supports) check_set(support.set, {"supports", name, "set"});
+    for (const auto& [name, load] : options_.loads) check_set(load.set, {"loads", name, "set"});
+    for (const auto& [name, probe] : options_.probes) check_mesh(probe.mesh, {"probes", name, "mesh"});
+  }
+
+  void check_contact() {
+    for (const auto& [name, pair] : options_.contact) {
+      check_set(pair.secondary, {"contact", name, "secondary"});
+      check_set(pair.primary, {"contact", name, "primary"});
+      if (!pair.primary.empty() && pair.primary == pair.secondary) {
+        report("D19", {"contact", name, "primary"}, "is the secondary surface too; a pair needs two surfaces");
+      }
+    }
+  }
+
+  /// Expected columns of the form quantity.entry must name an entry of the deck.
+  void check_quantities() {
+    std::map<std::string, std::vector<std::string>> entries;
+    for (const char* axis : {"x", "y", "z"}) {
+      entries[std::string("contact_force_") + axis] = names_in(options_.contact);
+      entries[std::string("reaction_") + axis] = names_in(options_.supports);
+    }
+    for (const auto& [name, probe] : options_.probes) {
+      if (!probe.quantity.empty()) entries[probe.quantity].push_back(name);
+    }
+    std::vector<std::string> columns;
+    for (const auto& [quantity, names] : entries) {
+      for (const std::string& name : names) columns.push_back(quantity + "." + name);
+    }
+    const std::set<std::string> known(columns.begin(), columns.end());
+    for (const auto& [name, expected] : options_.expected) {
+      const std::string& column = expected.quantity;
+      const bool has_entry = column.find('.') != std::string::npos || entries.count(column) > 0;
+      if (column.empty() || !has_entry || known.count(column) > 0) continue;
+      report("D14", {"expected", name, "quantity"}, not_among("no pair, support or probe gives this column", column, columns));
+    }
+  }
+
+  void check_times() {
+    const TimeOptions& time = options_.time;
+    if (!(time.end > 0)) return;  // missing or faulty, and reported
+    for (const auto& [name, expected] : options_.expected) {
+      if (expected.at_time && *expected.at_time != time.end &&
+          std::find(time.stops.begin(), time.stops.end(), *expected.at_time) == time.stops.end()) {
+        std::vector<std::string> stops;
+        for (const double stop : time.stops) stops.push_back(shortest(stop));
+        stops.push_back(shortest(time.end));
+        report("D08", {"expected", name, "at time"}, "must be one of time > \"stops\" or the end: " + join(stops));
+      }
+      if (expected.mean_from && *expected.mean_from >= time.end) {
+        report("D08", {"expected", name, "mean from"}, "must be before time > \"end\" = " + shortest(time.end));
+      }
+    }
+  }
+
+  /// A table is called in formulas, so its name must be a word that means nothing else there.
+  void check_tables() {
+    const std::vector<std::string> taken = formula_names();
+    for (const auto& [name, table] : options_.tables) {
+      const std::vector<std::string> words = names_in_formula(name);
+      if (words.size() != 1 || words.front() != name) {
+        report("D11", {"tables", name}, "a table is called by its name: letters, digits and _ only, not beginning with a digit");
+      } else if (std::find(taken.begin(), taken.end(), name) != taken.end()) {
+        report("D11", {"tables", name}, "this name has a meaning in formulas already");
+      } else {
+        // A faulty table, reported already, still makes its name known.
+        const bool is_sound = table.arguments.size() >= 2 && table.arguments.size() == table.values.size();
+        callable_.emplace_back(name, is_sound ? table : TableOptions{{0, 1}, {0, 0}});
+      }
+    }
+  }
+
+  void compile_formulas() {
+    for (const FormulaUse& use : findings_.formulas) {
+      try {
+        const Formula compiled(use.text, callable_);
+      } catch (const std::invalid_argument& fault) {
+        report("D16", use.path, std::string("cannot be compiled: ") + fault.what());
+      }
+    }
+  }
+
+  void check_use() {
+    std::set<std::string> used_meshes, used_materials, used_tables;
+    for (const auto& body : options_.bodies) {
+      used_meshes.insert(body.second.mesh);
+      used_materials.insert(body.second.material);
+    }
+    for (const FormulaUse& use : findings_.formulas) {
+      for (const std::string& name : names_in_formula(use.text)) used_tables.insert(name);
+    }
+    check_used("meshes", options_.meshes, used_meshes, "is not used by any body");
+    check_used("materials", options_.materials, used_materials, "is not used by any body");
+    check_used("tables", options_.tables, used_tables, "is not used by any formula");
+  }
+
+  template <class Options>
+  void check_used(const std::string& list, const Named<Options>& entries, const std::set<std::string>& used,
+                  const std::string& what) {
+    for (const auto& entry : entries) {
+      if (used.count(entry.first) == 0) report("D15", {list, entry.first}, what);
+    }
+  }
+
+  const DeckSource& source_;
+  const DeckOptions& options_;
+  Findings& findings_;
+  std::vector<std::string> meshes_;
+  std::set<std::string> known_meshes_;
+  Named<TableOptions> callable_;
+};
+
+}  // namespace
+
+void check_across(const DeckSource& source, const DeckOptions& options, Findings& findings) {
+  CrossChecks(source, options, findings).run();
+}
+
+}  // namespace mortise

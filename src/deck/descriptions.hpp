@@ -1,0 +1,214 @@
+// The descriptions of all lists of a deck: names, types, units, bounds, defaults and help, each said once (see fields.hpp).
+#pragma once
+
+#include <algorithm>
+#include <functional>
+
+#include "deck/bounds.hpp"
+#include "deck/fields.hpp"
+#include "deck/options.hpp"
+
+namespace mortise {
+
+inline bool is_strictly_ascending(const std::vector<double>& values) {
+  return std::adjacent_find(values.begin(), values.end(), std::greater_equal<double>()) == values.end();
+}
+
+/// What makes a mesh from a recipe, and where a mesh is placed.
+template <class Fields>
+void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
+  const Choices<std::string> recipes{{"block", "block"}, {"graded block", "graded block"}};
+  f.choice("recipe", o.recipe, recipes, recipe,
+           "block: a box of hexahedra with one corner at the origin; its side sets are left, right (x), front, back (y), "
+           "bottom, top (z)");
+  f.optional("size", o.size, positive, "length", "edge lengths of the block in x, y, z");
+  f.optional("elements", o.elements, within(1, 1e6), "-", "number of elements in x, y, z");
+  f.optional("grading", o.grading, positive, "-", "size of the last element over the size of the first, in x, y, z");
+  f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
+  f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
+  f.only_with({"size", "elements"}, "recipe", o.recipe.has_value(), "\"recipe\"");
+  f.only_with({"grading"}, "recipe", o.recipe == "graded block", "\"recipe\" = \"graded block\"");
+  f.rule("D08", {"elements"}, (o.elements[0] + 1.) * (o.elements[1] + 1.) * (o.elements[2] + 1.) < 2147483648.,
+         "must give fewer than 2^31 nodes");
+  f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,
+         "must have an axis that is not zero");
+}
+
+template <class Fields>
+void describe(Fields& f, MeshOptions& o) {
+  f.optional("file", o.file, anything, "", "Exodus file with the mesh; the path is relative to the deck");
+  describe_recipe(f, o, Presence::optional);
+  f.exactly_one_of({"file", "recipe"});
+}
+
+template <class Fields>
+void describe(Fields& f, MaterialOptions& o) {
+  const Choices<MaterialModel> models{{"neo-hookean", MaterialModel::neo_hookean},
+                                      {"neo-hookean isochoric-volumetric", MaterialModel::neo_hookean_isochoric},
+                                      {"saint venant-kirchhoff", MaterialModel::saint_venant_kirchhoff}};
+  f.choice(
+      "model", o.model, models, Presence::required,
+      "strain energy; neo-hookean is thesis eq. 3.130. saint venant-kirchhoff is for small strains: it softens in compression");
+  f.required("youngs modulus", o.youngs_modulus, positive, "force/length^2", "small-strain Young's modulus");
+  f.required("poissons ratio", o.poissons_ratio,
+             between(-1., 0.5).because("at 0.5 the bulk modulus is infinite, at -1 the shear modulus is"), "-",
+             "small-strain Poisson's ratio");
+}
+
+template <class Fields>
+void describe(Fields& f, BodyOptions& o) {
+  f.required("mesh", o.mesh, anything, "", "name of an entry of `meshes`");
+  f.optional("blocks", o.blocks, anything, "", "element blocks of the mesh, by name or number; default: all of them");
+  f.required("material", o.material, anything, "", "name of an entry of `materials`");
+  const Choices<TangentKind> tangents{{"quadrature point", TangentKind::quadrature_point},
+                                      {"whole element", TangentKind::whole_element}};
+  f.choice("tangent", o.tangent, tangents, Presence::optional,
+           "where derivatives are taken: of the stress at each quadrature point, or of the element's force as a whole "
+           "(slower, the same numbers)");
+}
+
+template <class Fields>
+void describe(Fields& f, TableOptions& o) {
+  f.required("arguments", o.arguments, anything, "", "where the function is given");
+  f.required("values", o.values, anything, "", "its values there; straight lines between them, constant outside");
+  f.rule("D17", {"arguments"}, o.arguments.size() >= 2, "must have at least 2 entries");
+  f.rule("D17", {"arguments"}, is_strictly_ascending(o.arguments), "must be strictly ascending");
+  f.rule("D17", {"values", "arguments"}, o.values.size() == o.arguments.size(), "must have as many entries as \"arguments\"");
+}
+
+template <class Fields>
+void describe(Fields& f, SupportOptions& o) {
+  f.required("set", o.set, anything, "", "mesh name / side set or node set (name or number)");
+  f.formula("x", o.displacement[0], "length", "displacement in x; left out: free");
+  f.formula("y", o.displacement[1], "length", "displacement in y; left out: free");
+  f.formula("z", o.displacement[2], "length", "displacement in z; left out: free");
+  f.at_least_one_of({"x", "y", "z"});
+}
+
+template <class Fields>
+void describe(Fields& f, TractionOptions& o) {
+  enum class Load { traction } load = Load::traction;
+  f.choice("type", load, Choices<Load>{{"traction", Load::traction}}, Presence::required,
+           "traction: force per reference area, of fixed direction");
+  f.required("set", o.set, anything, "", "mesh name / side set (name or number)");
+  f.formula("x", o.traction[0], "force/length^2", "component in x; left out: 0");
+  f.formula("y", o.traction[1], "force/length^2", "component in y; left out: 0");
+  f.formula("z", o.traction[2], "force/length^2", "component in z; left out: 0");
+  f.at_least_one_of({"x", "y", "z"});
+}
+
+template <class Fields>
+void describe(Fields& f, ContactOptions& o) {
+  f.required("secondary", o.secondary, anything, "",
+             "mesh name / side set that carries the multipliers (the thesis' slave or non-mortar side); best the finer one");
+  f.required("primary", o.primary, anything, "", "mesh name / side set on the other side (master, mortar)");
+  f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
+           "mortar: segment-to-segment, contact conditions in the mean over the overlap");
+  f.choice("contact force", o.force, Choices<ContactForce>{{"thesis", ContactForce::thesis}}, Presence::optional,
+           "thesis: the variation of the weighted gap with the mortar weights held and the normal varied (eq. 4.123); "
+           "conserves both momenta");
+  f.optional("quadrature degree", o.quadrature_degree,
+             within(4, 8).because("products of two bilinear shape functions have degree 4: a lower rule is not exact even on "
+                                  "squares, and a contact patch test fails"),
+             "-", "polynomial degree integrated exactly on each triangle of a segment");
+}
+
+template <class Fields>
+void describe(Fields& f, TimeOptions& o) {
+  f.choice("scheme", o.scheme, Choices<Scheme>{{"static", Scheme::static_}}, Presence::optional,
+           "static: equilibrium at each step; t only orders the loading");
+  f.required("end", o.end, positive, "time", "time at which the run ends; it begins at 0");
+  f.required("step", o.step, positive, "time", "first step");
+  f.optional("largest step", o.largest_step, positive, "time", "steps grow up to this; default: `step`");
+  f.optional("smallest step", o.smallest_step, positive, "time",
+             "a run that needs shorter steps gives up; default: `step` / 1024");
+  f.optional("growth", o.growth, at_least(1), "-", "factor on the step after an easy one");
+  f.optional("easy iterations", o.easy_iterations, at_least(1), "-", "a step with at most so many Newton iterations is easy");
+  f.optional("stops", o.stops, positive, "time", "times that a step must hit; the end is hit in any case");
+  f.rule("D08", {"step", "end"}, o.step <= o.end, "must be at most \"end\"", " = " + shortest(o.end));
+  f.rule("D08", {"largest step", "step"}, o.largest_step.value_or(o.step) >= o.step, "must be at least \"step\"",
+         " = " + shortest(o.step));
+  f.rule("D08", {"smallest step", "step"}, o.smallest_step.value_or(o.step) <= o.step, "must be at most \"step\"",
+         " = " + shortest(o.step));
+  f.rule("D17", {"stops"}, is_strictly_ascending(o.stops), "must be strictly ascending");
+  f.rule("D08", {"stops", "end"}, std::all_of(o.stops.begin(), o.stops.end(), [&](double stop) { return stop <= o.end; }),
+         "must be at most \"end\"", " = " + shortest(o.end));
+}
+
+template <class Fields>
+void describe(Fields& f, SolverOptions& o) {
+  const Choices<LinearSolverKind> kinds{
+      {"auto", LinearSolverKind::automatic}, {"direct", LinearSolverKind::direct}, {"iterative", LinearSolverKind::iterative}};
+  const Bound relative = within(1e-15, 0.1).because("a relative residual below 1e-15 is round-off");
+  f.choice("linear", o.linear, kinds, Presence::optional,
+           "direct: MUMPS; iterative: GMRES with incomplete factors; auto: chosen by the number of unknowns");
+  f.optional("tolerance", o.tolerance, relative, "-", "of the residual, relative to the greatest force at work");
+  f.optional("newton iterations", o.largest_iterations, at_least(1), "-", "most Newton iterations before a step is cut");
+  f.optional("further iterations", o.further_iterations, at_least(0), "-",
+             "Newton iterations after convergence; comparisons between numbers of ranks use 1");
+  f.optional("linear tolerance", o.linear_tolerance, relative, "-", "GMRES: relative residual");
+  f.optional("linear iterations", o.linear_iterations, at_least(1), "-", "GMRES: most iterations");
+  f.optional("fill level", o.fill_level, within(0, 10), "-", "GMRES: level of fill of the incomplete factors of the bodies");
+  f.only_with({"linear tolerance", "linear iterations", "fill level"}, "linear", o.linear != LinearSolverKind::direct,
+              "\"linear\" = \"iterative\" or \"auto\"");
+}
+
+template <class Fields>
+void describe(Fields& f, OutputOptions& o) {
+  f.words("fields", o.fields, {"displacement", "von mises", "cauchy stress", "contact pressure", "gap", "status", "reaction"},
+          "fields written to results.e");
+  f.optional("every", o.every, at_least(1), "-", "a frame is written every so many steps, and at every stop");
+}
+
+template <class Fields>
+void describe(Fields& f, ProbeOptions& o) {
+  Choices<std::string> quantities;
+  for (const char* name : {"displacement_x", "displacement_y", "displacement_z", "position_x", "position_y", "position_z",
+                           "von_mises", "contact_pressure", "gap"}) {
+    quantities.emplace_back(name, name);
+  }
+  f.choice("quantity", o.quantity, quantities, Presence::required, "what is followed; its column is <quantity>.<probe>");
+  f.required("mesh", o.mesh, anything, "", "name of an entry of `meshes`");
+  f.optional("node", o.node, at_least(1), "-", "the node's own number in the mesh");
+  f.optional("nearest", o.nearest, anything, "length", "the node nearest to this reference position, as placed");
+  f.exactly_one_of({"node", "nearest"});
+}
+
+template <class Fields>
+void describe(Fields& f, ExpectedOptions& o) {
+  f.required("quantity", o.quantity, anything, "",
+             "column of history.csv; contact_force_x|y|z.<pair> and reaction_x|y|z.<support> are compared by magnitude");
+  f.optional("at time", o.at_time, positive, "time", "compare the value at this time, which must be a stop or the end");
+  f.optional("mean from", o.mean_from, at_least(0), "time", "compare the time-weighted mean from then to the end");
+  f.required("value", o.value, anything, "of the quantity", "what the run must give");
+  f.required("tolerance", o.tolerance, positive, "of the quantity", "greatest difference allowed, absolute");
+  f.optional("source", o.source, anything, "", "where the value comes from");
+  f.exactly_one_of({"at time", "mean from"});
+}
+
+template <class Fields>
+void describe(Fields& f, UnitOptions& o) {
+  f.optional("length", o.length, anything, "", "label of the unit of length, e.g. mm");
+  f.optional("force", o.force, anything, "", "label of the unit of force, e.g. N");
+  f.optional("time", o.time, anything, "", "label of the unit of time, e.g. s");
+}
+
+template <class Fields>
+void describe(Fields& f, DeckOptions& o) {
+  f.optional("title", o.title, anything, "", "one line for the log and the results");
+  f.list("units", o.units, Presence::optional, "labels only: numbers are never converted, decks use any consistent units");
+  f.named("meshes", o.meshes, Presence::required, "meshes from Exodus files or recipes, and where they are placed");
+  f.named("materials", o.materials, Presence::required, "materials; each must be used by a body");
+  f.named("bodies", o.bodies, Presence::required, "a body: blocks of a mesh, and their material");
+  f.named("tables", o.tables, Presence::optional, "piecewise linear functions, called in formulas by their names");
+  f.named("supports", o.supports, Presence::optional, "prescribed displacements; a component left out is free");
+  f.named("loads", o.loads, Presence::optional, "forces on surfaces");
+  f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
+  f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
+  f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
+  f.list("output", o.output, Presence::optional, "what is written to results.e");
+  f.named("probes", o.probes, Presence::optional, "nodal quantities followed in history.csv");
+  f.named("expected", o.expected, Presence::filled_if_present, "values the run must meet; one missed gives exit code 7");
+}
+
+}  // namespace mortise

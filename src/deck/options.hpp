@@ -1,0 +1,144 @@
+// What a deck says, as plain structs: filled once by the reader, constant afterwards, free of strings that need looking up.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mortise {
+
+/// Entries that the user names, in the order of the deck.
+template <class Options>
+using Named = std::vector<std::pair<std::string, Options>>;
+
+/// One mesh: a file or a recipe, and where it is placed.
+struct MeshOptions {
+  std::optional<std::string> file;    ///< path relative to the deck
+  std::optional<std::string> recipe;  ///< "block" or "graded block"
+  std::array<double, 3> size{1, 1, 1};
+  std::array<int, 3> elements{1, 1, 1};
+  std::array<double, 3> grading{1, 1, 1};  ///< last element size / first element size, per axis
+  std::array<double, 3> origin{0, 0, 0};
+  std::array<double, 4> rotation{0, 0, 1, 0};  ///< axis x, y, z and degrees; applied before origin
+};
+
+enum class MaterialModel { neo_hookean, neo_hookean_isochoric, saint_venant_kirchhoff };
+
+struct MaterialOptions {
+  MaterialModel model = MaterialModel::neo_hookean;
+  double youngs_modulus = 0;
+  double poissons_ratio = 0;
+};
+
+enum class TangentKind { quadrature_point, whole_element };
+
+/// A body: some blocks of a mesh, their material and how their elements are linearised.
+struct BodyOptions {
+  std::string mesh;
+  std::vector<std::string> blocks;  ///< names or numbers; empty: all
+  std::string material;
+  TangentKind tangent = TangentKind::quadrature_point;
+};
+
+/// Prescribed displacement; a component without a formula is free.
+struct SupportOptions {
+  std::string set;  ///< mesh name / side or node set (name or number)
+  std::array<std::optional<std::string>, 3> displacement;
+};
+
+/// Dead traction on a side set: force per unit reference area, fixed direction.
+struct TractionOptions {
+  std::string set;
+  std::array<std::optional<std::string>, 3> traction;
+};
+
+enum class ContactMethod { mortar };
+enum class ContactForce { thesis };
+
+struct ContactOptions {
+  std::string secondary;
+  std::string primary;
+  ContactMethod method = ContactMethod::mortar;
+  ContactForce force = ContactForce::thesis;
+  int quadrature_degree = 5;  ///< of the rule on each triangle of a segment
+};
+
+enum class Scheme { static_ };
+
+struct TimeOptions {
+  Scheme scheme = Scheme::static_;
+  double end = 0;
+  double step = 0;
+  std::optional<double> largest_step;   ///< default: `step`
+  std::optional<double> smallest_step;  ///< default: step / 1024
+  double growth = 1.5;                  ///< factor after an easy step
+  int easy_iterations = 8;              ///< a step with at most that many Newton iterations is easy
+  std::vector<double> stops;            ///< times that a step must hit
+};
+
+enum class LinearSolverKind { automatic, direct, iterative };
+
+struct SolverOptions {
+  LinearSolverKind linear = LinearSolverKind::automatic;
+  double tolerance = 1e-10;         ///< of the residual, relative to the force scale
+  int largest_iterations = 25;      ///< Newton iterations before a step is cut
+  int further_iterations = 0;       ///< Newton iterations after convergence (comparisons between rank counts use 1)
+  double linear_tolerance = 1e-10;  ///< GMRES: relative residual
+  int linear_iterations = 1000;     ///< GMRES: most iterations
+  int fill_level = 1;               ///< RILUK level of fill of the bodies
+};
+
+struct OutputOptions {
+  std::vector<std::string> fields{"displacement", "von mises"};
+  int every = 1;  ///< Exodus frames: every n-th accepted step, and every stop
+};
+
+/// A nodal quantity followed in history.csv.
+struct ProbeOptions {
+  std::string quantity;  ///< e.g. "displacement_x"
+  std::string mesh;
+  std::optional<int> node;                       ///< the user's number
+  std::optional<std::array<double, 3>> nearest;  ///< reference position
+};
+
+/// A value that the run must meet.
+struct ExpectedOptions {
+  std::string quantity;  ///< a column of history.csv
+  std::optional<double> at_time;
+  std::optional<double> mean_from;
+  double value = 0;
+  double tolerance = 0;
+  std::string source;
+};
+
+/// Piecewise linear function of one variable, used in formulas as name(t).
+struct TableOptions {
+  std::vector<double> arguments;
+  std::vector<double> values;
+};
+
+struct UnitOptions {
+  std::string length, force, time;  ///< labels only
+};
+
+/// Everything a deck says.
+struct DeckOptions {
+  std::string title;
+  UnitOptions units;
+  Named<MeshOptions> meshes;
+  Named<MaterialOptions> materials;
+  Named<BodyOptions> bodies;
+  Named<TableOptions> tables;
+  Named<SupportOptions> supports;
+  Named<TractionOptions> loads;
+  Named<ContactOptions> contact;
+  TimeOptions time;
+  SolverOptions solver;
+  OutputOptions output;
+  Named<ProbeOptions> probes;
+  Named<ExpectedOptions> expected;
+};
+
+}  // namespace mortise

@@ -1,0 +1,279 @@
+// The checks that every mesh passes before anything is computed on it.
+#include "mesh/checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <set>
+
+#include "errors.hpp"
+
+namespace mortise {
+
+namespace {
+
+using Element = std::array<int, 8>;
+
+std::string name_of(const char* kind, std::int64_t id, const std::string& name) {
+  return name.empty() ? fmt::format("{} {}", kind, id) : fmt::format("{} {} \"{}\"", kind, id, name);
+}
+
+/// `1 node` or `3 nodes`.
+std::string count_of(std::size_t n, const std::string& what) { return fmt::format("{} {}{}", n, what, n == 1 ? "" : "s"); }
+
+/// Offenders of one kind in one place: how many, and where the first is.
+struct Offenders {
+  std::size_t n = 0;
+  std::size_t first = 0;
+  void note(std::size_t i) {
+    if (n++ == 0) first = i;
+  }
+};
+
+bool finite(const Point& x) { return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]); }
+
+bool has_all_nodes(const Mesh& mesh, const Element& element) {
+  return std::all_of(element.begin(), element.end(), [&](int a) { return a >= 0 && a < n_nodes(mesh); });
+}
+
+bool has_a_node_twice(Element element) {
+  std::sort(element.begin(), element.end());
+  return std::adjacent_find(element.begin(), element.end()) != element.end();
+}
+
+/// Least det dX/dxi over the 2x2x2 Gauss points of a hex8 [length^3] and the point where it stands (counted from 1, first
+/// coordinate fastest).
+struct LeastJacobian {
+  double value;
+  int gauss_point;
+  double scale;  ///< what the determinant would be for a cube with the longest edge of the element
+};
+
+/// Derivatives of the trilinear shape functions at the 2x2x2 Gauss points: [point][node][direction].
+using Gradients = std::array<std::array<Point, 8>, 8>;
+
+Gradients make_gradients() {
+  constexpr std::array<Point, 8> corner{
+      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+  const double xi = 1.0 / std::sqrt(3.0);
+  Gradients gradients{};
+  for (std::size_t g = 0; g < 8; ++g) {
+    const Point at{(g & 1) != 0 ? xi : -xi, (g & 2) != 0 ? xi : -xi, (g & 4) != 0 ? xi : -xi};
+    for (std::size_t a = 0; a < 8; ++a) {
+      const Point s{1 + corner[a][0] * at[0], 1 + corner[a][1] * at[1], 1 + corner[a][2] * at[2]};
+      gradients[g][a] = {0.125 * corner[a][0] * s[1] * s[2], 0.125 * corner[a][1] * s[0] * s[2],
+                         0.125 * corner[a][2] * s[0] * s[1]};
+    }
+  }
+  return gradients;
+}
+
+LeastJacobian least_jacobian(const Mesh& mesh, const Element& element) {
+  static const Gradients gradients = make_gradients();
+  std::array<Point, 8> X{};
+  for (std::size_t a = 0; a < 8; ++a) X[a] = mesh.coordinates[static_cast<std::size_t>(element[a])];
+
+  constexpr std::array<std::array<std::size_t, 2>, 12> edges{
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  double longest = 0;
+  for (const auto& [a, b] : edges)
+    longest = std::max(longest, std::hypot(X[b][0] - X[a][0], X[b][1] - X[a][1], X[b][2] - X[a][2]));
+
+  LeastJacobian least{0, 0, longest * longest * longest / 8};
+  for (std::size_t g = 0; g < 8; ++g) {
+    double d[3][3] = {};  // dX_i/dxi_j; relative to the first corner, so that a mesh far from the origin loses no digits
+    for (std::size_t a = 1; a < 8; ++a)
+      for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j) d[i][j] += (X[a][i] - X[0][i]) * gradients[g][a][j];
+    const double det = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
+                       d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
+    if (g == 0 || !(det >= least.value)) {
+      least.value = det;
+      least.gauss_point = static_cast<int>(g) + 1;
+    }
+  }
+  return least;
+}
+
+void check_coordinates(const Mesh& mesh, MeshErrors& errors) {
+  Offenders bad;
+  for (std::size_t a = 0; a < mesh.coordinates.size(); ++a)
+    if (!finite(mesh.coordinates[a])) bad.note(a);
+  if (bad.n == 0) return;
+  const Point& x = mesh.coordinates[bad.first];
+  errors.add("M16", fmt::format("{} with coordinates that are not finite (first: node {}, ({}, {}, {}))", count_of(bad.n, "node"),
+                                mesh.node_numbers[bad.first], x[0], x[1], x[2]));
+}
+
+/// Elements of one block; `first` is the index of its first element over all blocks. Says whether the connectivity is sound.
+bool check_block(const Mesh& mesh, const Block& block, std::size_t first, MeshErrors& errors) {
+  Offenders out_of_range, repeated, inverted;
+  LeastJacobian first_inverted{};
+  for (std::size_t e = 0; e < block.elements.size(); ++e) {
+    const Element& element = block.elements[e];
+    if (!has_all_nodes(mesh, element)) {
+      out_of_range.note(e);
+    } else if (has_a_node_twice(element)) {
+      repeated.note(e);
+    } else if (std::all_of(element.begin(), element.end(),
+                           [&](int a) { return finite(mesh.coordinates[static_cast<std::size_t>(a)]); })) {
+      const LeastJacobian least = least_jacobian(mesh, element);
+      if (least.value > 1e-14 * least.scale) continue;  // below that the determinant is round-off of a flat element
+      if (inverted.n == 0) first_inverted = least;
+      inverted.note(e);
+    }
+  }
+  const auto number = [&](const Offenders& o) { return mesh.element_numbers[first + o.first]; };
+  if (out_of_range.n > 0) {
+    const Element& element = block.elements[out_of_range.first];
+    const auto bad = std::find_if(element.begin(), element.end(), [&](int a) { return a < 0 || a >= n_nodes(mesh); });
+    errors.add("M13", fmt::format("{}: {} with nodes out of range (first: element {}, entry {}: node {}) - nodes are 1 to {}",
+                                  describe(block), count_of(out_of_range.n, "element"), number(out_of_range),
+                                  bad - element.begin() + 1, static_cast<std::int64_t>(*bad) + 1, n_nodes(mesh)));
+  }
+  if (repeated.n > 0) {
+    Element sorted = block.elements[repeated.first];
+    std::sort(sorted.begin(), sorted.end());
+    const int twice = *std::adjacent_find(sorted.begin(), sorted.end());
+    errors.add("M14", fmt::format("{}: {} with a node twice (first: element {}, node {}) - a hex8 has 8 different nodes",
+                                  describe(block), count_of(repeated.n, "element"), number(repeated),
+                                  mesh.node_numbers[static_cast<std::size_t>(twice)]));
+  }
+  if (inverted.n > 0)
+    errors.add(
+        "M21",
+        fmt::format("{}: {} inverted or flat (first: element {}, det dX/dxi = {:.3g} at Gauss point {}) - must be positive; "
+                    "check node order",
+                    describe(block), count_of(inverted.n, "element"), number(inverted), first_inverted.value,
+                    first_inverted.gauss_point));
+  return out_of_range.n == 0 && repeated.n == 0;
+}
+
+/// Precondition: sound connectivity.
+void check_orphans(const Mesh& mesh, MeshErrors& errors) {
+  std::vector<bool> used(mesh.coordinates.size(), false);
+  for (const Block& block : mesh.blocks)
+    for (const Element& element : block.elements)
+      for (int a : element) used[static_cast<std::size_t>(a)] = true;
+  constexpr std::size_t n_listed = 5;
+  std::size_t n = 0;
+  std::vector<std::string> listed;
+  for (std::size_t a = 0; a < used.size(); ++a)
+    if (!used[a] && n++ < n_listed) listed.push_back(std::to_string(mesh.node_numbers[a]));
+  if (n > 0)
+    errors.add("M17", fmt::format("{} without element (first: {}) - remove them, they would have no equation",
+                                  count_of(n, "node"), join(listed)));
+}
+
+void check_numbers(const std::vector<std::int64_t>& numbers, const char* code, const char* what, MeshErrors& errors) {
+  const auto low = std::find_if(numbers.begin(), numbers.end(), [](std::int64_t n) { return n < 1; });
+  if (low != numbers.end())
+    errors.add(code, fmt::format("{} number map: entry {} is {} - numbers are positive", what, low - numbers.begin() + 1, *low));
+  std::vector<std::int64_t> sorted = numbers;
+  std::sort(sorted.begin(), sorted.end());
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+  if (twice == sorted.end()) return;
+  const auto n_distinct = std::unique(sorted.begin(), sorted.end()) - sorted.begin();
+  errors.add(code, fmt::format("{} number map: {} twice (first: {}) - each {} needs a number of its own", what,
+                               count_of(numbers.size() - static_cast<std::size_t>(n_distinct), "number"), *twice, what));
+}
+
+/// Ids and names of blocks, side sets or node sets.
+template <class Entity>
+void check_names(const std::vector<Entity>& entities, MeshErrors& errors) {
+  std::set<std::int64_t> ids;
+  std::set<std::string> names;
+  for (const Entity& entity : entities) {
+    if (!ids.insert(entity.id).second)
+      errors.add("M26", fmt::format("{}: the id stands twice - ids are unique", describe(entity)));
+    if (!entity.name.empty() && !names.insert(entity.name).second)
+      errors.add("M26", fmt::format("{}: the name stands twice - names are unique", describe(entity)));
+  }
+}
+
+void check_side_set(const Mesh& mesh, const SideSet& set, int n_mesh_elements, MeshErrors& errors) {
+  if (set.sides.empty()) errors.add("M31", fmt::format("{} is empty", describe(set)));
+  Offenders elements, faces, repeated;
+  std::set<std::pair<int, int>> seen;
+  for (std::size_t i = 0; i < set.sides.size(); ++i) {
+    const Side& side = set.sides[i];
+    if (side.element < 0 || side.element >= n_mesh_elements) {
+      elements.note(i);
+    } else if (side.face < 0 || side.face > 5) {
+      faces.note(i);
+    } else if (!seen.insert({side.element, side.face}).second) {
+      repeated.note(i);
+    }
+  }
+  if (elements.n > 0)
+    errors.add("M32", fmt::format("{}: {} of elements out of range (first: entry {}, element {}) - elements are 1 to {}",
+                                  describe(set), count_of(elements.n, "side"), elements.first + 1,
+                                  static_cast<std::int64_t>(set.sides[elements.first].element) + 1, n_mesh_elements));
+  const auto number = [&](const Offenders& o) {
+    return mesh.element_numbers[static_cast<std::size_t>(set.sides[o.first].element)];
+  };
+  if (faces.n > 0)
+    errors.add("M33", fmt::format("{}: {} that a hex8 does not have (first: entry {}, side {} of element {}) - sides are 1 to 6",
+                                  describe(set), count_of(faces.n, "side"), faces.first + 1,
+                                  static_cast<std::int64_t>(set.sides[faces.first].face) + 1, number(faces)));
+  if (repeated.n > 0)
+    errors.add("M35", fmt::format("{}: {} listed twice (first: entry {}, side {} of element {}) - each once", describe(set),
+                                  count_of(repeated.n, "side"), repeated.first + 1, set.sides[repeated.first].face + 1,
+                                  number(repeated)));
+}
+
+void check_node_set(const Mesh& mesh, const NodeSet& set, MeshErrors& errors) {
+  if (set.nodes.empty()) errors.add("M31", fmt::format("{} is empty", describe(set)));
+  Offenders bad;
+  for (std::size_t i = 0; i < set.nodes.size(); ++i)
+    if (set.nodes[i] < 0 || set.nodes[i] >= n_nodes(mesh)) bad.note(i);
+  if (bad.n > 0)
+    errors.add("M34", fmt::format("{}: {} out of range (first: entry {}, node {}) - nodes are 1 to {}", describe(set),
+                                  count_of(bad.n, "node"), bad.first + 1, static_cast<std::int64_t>(set.nodes[bad.first]) + 1,
+                                  n_nodes(mesh)));
+}
+
+}  // namespace
+
+void MeshErrors::add(const std::string& code, const std::string& text) {
+  messages_.push_back(fmt::format("{}: error[{}] {}", source_, code, text));
+}
+
+void MeshErrors::throw_if_any() const {
+  if (!messages_.empty()) throw MeshError(messages_);
+}
+
+std::string describe(const Block& block) { return name_of("block", block.id, block.name); }
+std::string describe(const SideSet& set) { return name_of("side set", set.id, set.name); }
+std::string describe(const NodeSet& set) { return name_of("node set", set.id, set.name); }
+
+void check_mesh(const Mesh& mesh) {
+  MeshErrors errors(mesh.source);
+  const int n_mesh_elements = n_elements(mesh);
+  assert(mesh.node_numbers.size() == mesh.coordinates.size());
+  assert(mesh.element_numbers.size() == static_cast<std::size_t>(n_mesh_elements));
+  if (mesh.coordinates.empty()) errors.add("M03", "no nodes");
+  if (n_mesh_elements == 0) errors.add("M03", "no elements");
+  errors.throw_if_any();
+
+  check_coordinates(mesh, errors);
+  std::size_t first = 0;
+  bool sound = true;
+  for (const Block& block : mesh.blocks) {
+    sound = check_block(mesh, block, first, errors) && sound;
+    first += block.elements.size();
+  }
+  if (sound) check_orphans(mesh, errors);  // otherwise the nodes that the bad elements missed would be reported too
+  check_numbers(mesh.node_numbers, "M24", "node", errors);
+  check_numbers(mesh.element_numbers, "M25", "element", errors);
+  check_names(mesh.blocks, errors);
+  check_names(mesh.side_sets, errors);
+  check_names(mesh.node_sets, errors);
+  for (const SideSet& set : mesh.side_sets) check_side_set(mesh, set, n_mesh_elements, errors);
+  for (const NodeSet& set : mesh.node_sets) check_node_set(mesh, set, errors);
+  errors.throw_if_any();
+}
+
+}  // namespace mortise

@@ -1,0 +1,196 @@
+// Reading an Exodus file into a mesh: nothing is believed before it is checked.
+#include <exodusII.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <limits>
+
+#include "errors.hpp"
+#include "mesh/checks.hpp"
+#include "mesh/exodus.hpp"
+#include "mesh/exodus_file.hpp"
+#include "mesh/netcdf_header.hpp"
+
+namespace mortise {
+
+namespace {
+
+/// A number counted from 1 in the file as an index from 0; what no index can hold becomes the least one, for the checks to find.
+int to_index(std::int64_t number) {
+  const bool fits = number > std::numeric_limits<int>::min() && number <= std::numeric_limits<int>::max();
+  return fits ? static_cast<int>(number - 1) : std::numeric_limits<int>::min();
+}
+
+/// Reads the parts of one open file.
+class ExodusReader {
+ public:
+  ExodusReader(int id, std::string source) : id_(id), errors_(source) { mesh_.source = std::move(source); }
+
+  Mesh read() {
+    sizes();
+    nodes();
+    blocks();
+    side_sets();
+    node_sets();
+    errors_.throw_if_any();
+    check_mesh(mesh_);
+    return std::move(mesh_);
+  }
+
+ private:
+  /// Says that a part cannot be read, and stops: what follows would build on it.
+  void require(int status, const std::string& what) {
+    if (status >= 0) return;
+    errors_.add("M05", fmt::format("{} cannot be read: {}", what, exodus_reason()));
+    errors_.throw_if_any();
+  }
+
+  void sizes() {
+    require(ex_get_init_ext(id_, &sizes_), "the sizes");
+    if (sizes_.num_dim != 3) errors_.add("M02", fmt::format("the mesh has {} dimensions - must have 3", sizes_.num_dim));
+    if (sizes_.num_nodes <= 0) errors_.add("M03", "no nodes");
+    if (sizes_.num_elem <= 0 || sizes_.num_elem_blk <= 0) errors_.add("M03", "no elements");
+    constexpr std::int64_t limit = std::numeric_limits<int>::max() / 8;
+    if (sizes_.num_nodes > limit || sizes_.num_elem > limit)
+      errors_.add("M06", fmt::format("{} nodes and {} elements - at most {} of each", sizes_.num_nodes, sizes_.num_elem, limit));
+    errors_.throw_if_any();
+    const auto length = ex_inquire_int(id_, EX_INQ_DB_MAX_USED_NAME_LENGTH);
+    name_length_ = static_cast<int>(std::clamp<std::int64_t>(length, MAX_STR_LENGTH, 255));
+    require(ex_set_max_name_length(id_, name_length_), "the length of names");
+  }
+
+  void nodes() {
+    const auto n = static_cast<std::size_t>(sizes_.num_nodes);
+    std::array<std::vector<double>, 3> x;
+    for (auto& component : x) component.resize(n);
+    require(ex_get_coord(id_, x[0].data(), x[1].data(), x[2].data()), "coordinates");
+    mesh_.coordinates.resize(n);
+    for (std::size_t a = 0; a < n; ++a) mesh_.coordinates[a] = {x[0][a], x[1][a], x[2][a]};
+    mesh_.node_numbers.resize(n);
+    require(ex_get_id_map(id_, EX_NODE_MAP, mesh_.node_numbers.data()), "the node number map");
+  }
+
+  void blocks() {
+    std::int64_t n_found = 0;
+    for (std::int64_t id : ids(EX_ELEM_BLOCK, sizes_.num_elem_blk, "blocks")) {
+      Block block{id, name(EX_ELEM_BLOCK, id), {}};
+      ex_block stored{};
+      stored.id = id;
+      stored.type = EX_ELEM_BLOCK;
+      require(ex_get_block_param(id_, &stored), describe(block));
+      if (stored.num_entry == 0) continue;  // an empty block has no type either
+      n_found += stored.num_entry;
+      if (n_found > sizes_.num_elem) break;
+      if (is_hex8(stored, block)) {
+        connectivity(block, stored.num_entry);
+        mesh_.blocks.push_back(std::move(block));
+      }
+    }
+    if (n_found != sizes_.num_elem)
+      errors_.add("M05", fmt::format("the blocks do not hold the {} elements that the file announces", sizes_.num_elem));
+    mesh_.element_numbers.resize(static_cast<std::size_t>(sizes_.num_elem));
+    require(ex_get_id_map(id_, EX_ELEM_MAP, mesh_.element_numbers.data()), "the element number map");
+  }
+
+  bool is_hex8(const ex_block& stored, const Block& block) {
+    std::string type(stored.topology, strnlen(stored.topology, MAX_STR_LENGTH));
+    type.erase(std::find(type.begin(), type.end(), ' '), type.end());
+    std::string upper = type;
+    for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    const bool is_hex = upper == "HEX" || upper == "HEX8";
+    if (is_hex && stored.num_nodes_per_entry == 8) return true;
+    if (is_hex) type += fmt::format(" with {} nodes", stored.num_nodes_per_entry);
+    errors_.add("M12", fmt::format("{}: element type {} is not supported - hex8 (HEX, HEX8)", describe(block), type));
+    return false;
+  }
+
+  void connectivity(Block& block, std::int64_t n) {
+    std::vector<std::int64_t> nodes(8 * static_cast<std::size_t>(n));
+    require(ex_get_conn(id_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr),
+            fmt::format("the elements of {}", describe(block)));
+    block.elements.resize(static_cast<std::size_t>(n));
+    for (std::size_t e = 0; e < block.elements.size(); ++e)
+      for (std::size_t a = 0; a < 8; ++a) block.elements[e][a] = to_index(nodes[8 * e + a]);
+  }
+
+  /// Members of a set; `faces` only for side sets.
+  std::vector<std::int64_t> members(ex_entity_type type, std::int64_t set, const std::string& what,
+                                    std::vector<std::int64_t>* faces) {
+    std::int64_t n = 0, n_factors = 0;
+    require(ex_get_set_param(id_, type, set, &n, &n_factors), what);
+    if (n < 0 || n > std::numeric_limits<int>::max()) {
+      errors_.add("M06", fmt::format("{} has {} members - at most {}", what, n, std::numeric_limits<int>::max()));
+      errors_.throw_if_any();
+    }
+    std::vector<std::int64_t> entries(static_cast<std::size_t>(n));
+    if (faces != nullptr) faces->resize(entries.size());
+    if (n > 0) require(ex_get_set(id_, type, set, entries.data(), faces != nullptr ? faces->data() : nullptr), what);
+    return entries;
+  }
+
+  void side_sets() {
+    for (std::int64_t id : ids(EX_SIDE_SET, sizes_.num_side_sets, "side sets")) {
+      SideSet set{id, name(EX_SIDE_SET, id), {}};
+      std::vector<std::int64_t> faces;
+      const std::vector<std::int64_t> elements = members(EX_SIDE_SET, id, describe(set), &faces);
+      for (std::size_t i = 0; i < elements.size(); ++i) set.sides.push_back({to_index(elements[i]), to_index(faces[i])});
+      mesh_.side_sets.push_back(std::move(set));
+    }
+  }
+
+  void node_sets() {
+    for (std::int64_t id : ids(EX_NODE_SET, sizes_.num_node_sets, "node sets")) {
+      NodeSet set{id, name(EX_NODE_SET, id), {}};
+      for (std::int64_t node : members(EX_NODE_SET, id, describe(set), nullptr)) set.nodes.push_back(to_index(node));
+      mesh_.node_sets.push_back(std::move(set));
+    }
+  }
+
+  std::vector<std::int64_t> ids(ex_entity_type type, std::int64_t n, const std::string& what) {
+    if (n <= 0) return {};
+    std::vector<std::int64_t> ids(static_cast<std::size_t>(n));
+    require(ex_get_ids(id_, type, ids.data()), fmt::format("the ids of the {}", what));
+    return ids;
+  }
+
+  std::string name(ex_entity_type type, std::int64_t entity) {
+    std::vector<char> buffer(static_cast<std::size_t>(name_length_) + 2, '\0');
+    require(ex_get_name(id_, type, entity, buffer.data()), fmt::format("the name of {} {}", ex_name_of_object(type), entity));
+    std::string name(buffer.data());
+    name.erase(name.find_last_not_of(' ') + 1);
+    return name;
+  }
+
+  int id_;
+  int name_length_ = MAX_STR_LENGTH;
+  ex_init_params sizes_{};
+  MeshErrors errors_;
+  Mesh mesh_;
+};
+
+}  // namespace
+
+Mesh read_exodus(const std::filesystem::path& file) {
+  const std::string source = file.string();
+  const NetcdfHeader header = read_netcdf_header(file);
+  MeshErrors errors(source);
+  if (header.kind == FileKind::other) {
+    errors.add("M01", "this is not an Exodus file (neither netCDF classic nor netCDF-4)");
+  } else if (!header.fault.empty()) {
+    errors.add("M04", fmt::format("the netCDF header is broken or truncated: {}", header.fault));
+  } else if (header.n_bytes < header.n_required) {
+    errors.add("M04", fmt::format("the file has {} bytes, its header requires {}: truncated", header.n_bytes, header.n_required));
+  }
+  errors.throw_if_any();
+
+  const ExodusFile exodus = open_exodus(file);
+  if (exodus.id() < 0) {
+    errors.add("M01", fmt::format("this is not an Exodus file: {}", exodus_reason()));
+    errors.throw_if_any();
+  }
+  return ExodusReader(exodus.id(), source).read();
+}
+
+}  // namespace mortise

@@ -1,0 +1,91 @@
+// The scene: everything a run needs, as plain data, constant after it has been made.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/surface.hpp"
+#include "deck/deck.hpp"
+#include "deck/formula.hpp"
+#include "mesh/combine.hpp"
+#include "mesh/mesh.hpp"
+#include "physics/materials/materials.hpp"
+
+namespace mortise {
+
+/// A deformable body: elements of one material.
+struct Body {
+  std::string name;
+  Material material;
+  TangentKind tangent;
+  std::vector<int> elements;  ///< numbers over all blocks
+  std::vector<int> nodes;     ///< ascending
+  double youngs_modulus;      ///< [Pa], for scales
+  double size;                ///< edge of a cube with the mean element volume [m]
+};
+
+/// Prescribed displacement of one component of one node: q = X + u(t).
+struct PrescribedDof {
+  int node;
+  int axis;
+  int support;  ///< index into Scene::supports
+};
+
+struct Support {
+  std::string name;
+  std::array<std::optional<Formula>, 3> displacement;
+};
+
+/// Dead traction: nodal weights [m^2] of a side set and the traction [Pa] by formula.
+struct Traction {
+  std::string name;
+  std::vector<std::pair<int, double>> weights;
+  std::array<std::optional<Formula>, 3> traction;
+};
+
+/// Two surfaces that may meet.
+struct ContactPair {
+  std::string name;
+  ContactSurface secondary, primary;
+  std::vector<int> secondary_elements;  ///< the element behind each secondary facet
+  std::vector<int> secondary_nodes;     ///< ascending; node k carries multiplier `first_multiplier + k`
+  std::vector<double> tributary_area;   ///< reference area of each secondary node [m^2]
+  int first_multiplier;
+  int quadrature_degree;
+  double size;            ///< edge of the secondary facets [m]: square root of their mean area
+  double youngs_modulus;  ///< of the secondary body [Pa]
+};
+
+/// A nodal value followed in the history.
+struct Probe {
+  std::string name, quantity;
+  int node;
+};
+
+/// What a deck describes. Terms exist only where the deck calls for them: an empty list is an absent effect.
+struct Scene {
+  std::string title;
+  CombinedMesh mesh;
+  std::vector<Body> bodies;
+  std::vector<Support> supports;
+  std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis; each once
+  std::vector<Traction> tractions;
+  std::vector<ContactPair> pairs;
+  int n_multipliers = 0;
+  std::vector<Probe> probes;
+  TimeOptions time;
+  SolverOptions solver;
+  OutputOptions output;
+  Named<ExpectedOptions> expected;
+  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]
+  double size;         ///< smallest body element size [m]
+};
+
+/// Opens the meshes and resolves every name of the deck.
+/// @param warnings lines for the log, e.g. about a secondary side that is coarser than the primary one
+/// @throws DeckError, MeshError, FileError
+Scene make_scene(const Deck& deck, std::vector<std::string>& warnings);
+
+}  // namespace mortise

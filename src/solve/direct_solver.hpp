@@ -1,0 +1,34 @@
+// Sparse LU by MUMPS through its C interface.
+#pragma once
+
+#include <memory>
+
+#include "solve/linear_system.hpp"
+
+namespace mortise {
+
+/// Unsymmetric MUMPS with a nested-dissection ordering (METIS) of groups of unknowns: a node with its pressure stays together.
+/// Below 50,000 unknowns it factors on one rank, which keeps reruns on the same ranks bitwise equal; above on all ranks.
+/// The analysis is kept as long as the graph stands; too little workspace (-9) is met with more and a second try.
+class DirectSolver {
+ public:
+  /// @param group per global unknown: unknowns of one group are eliminated next to each other
+  DirectSolver(const RCP<const Map>& map, std::vector<int> group);
+  ~DirectSolver();
+  DirectSolver(DirectSolver&&) noexcept;
+
+  /// Solves A x = b. @param graph_number changes when the graph of A has changed since the last call
+  LinearReport solve(const Matrix& A, const Vector& b, Vector& x, long graph_number);
+
+  long analyses() const;
+  double factor_entries() const;  ///< entries of the last factors
+  double seconds_analysis() const;
+  double seconds_factor() const;
+  double seconds_solve() const;
+
+ private:
+  struct Mumps;
+  std::unique_ptr<Mumps> mumps_;
+};
+
+}  // namespace mortise

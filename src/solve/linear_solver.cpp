@@ -1,0 +1,56 @@
+#include "solve/linear_solver.hpp"
+
+#include <fmt/format.h>
+
+#include <numeric>
+
+namespace mortise {
+namespace {
+
+// A node is a group; its pressure joins it.
+std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
+  std::vector<int> group(3 * static_cast<std::size_t>(dofs.n_nodes()) + scene.n_multipliers);
+  for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(dofs.n_nodes()); ++k) group[k] = static_cast<int>(k / 3);
+  for (const auto& pair : scene.pairs)
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+      group[3 * static_cast<std::size_t>(dofs.n_nodes()) + pair.first_multiplier + k] = pair.secondary_nodes[k];
+  return group;
+}
+
+// Beyond this a factorisation costs more than GMRES with RILUK in memory and time.
+constexpr long long largest_direct = 150000;
+
+std::variant<DirectSolver, IterativeSolver> choose(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) {
+  const long long n = 3LL * dofs.n_nodes() + scene.n_multipliers;
+  const bool iterative = options.linear == LinearSolverKind::iterative || (options.linear == LinearSolverKind::automatic && n > largest_direct);
+  if (iterative) return IterativeSolver(dofs.owned_map(), 3LL * dofs.n_nodes(), options);
+  return DirectSolver(dofs.owned_map(), groups(scene, dofs));
+}
+
+}  // namespace
+
+LinearSolver::LinearSolver(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) : solver_(choose(scene, dofs, options)) {
+  const bool is_direct = direct() != nullptr;
+  choice_ = fmt::format("{}{}", is_direct ? "direct (MUMPS, unsymmetric)" : "iterative (GMRES, RILUK blocks)",
+                        options.linear == LinearSolverKind::automatic ? ", chosen by size" : "");
+  accepted_residual_ = is_direct ? 1e-8 : 10 * options.linear_tolerance;
+}
+
+LinearReport LinearSolver::solve(Matrix& A, Vector& b, Vector& x, const std::vector<char>& identity_rows, long graph_number) {
+  eliminate_identity_columns(A, identity_rows, b);
+  LinearReport report;
+  if (auto* direct = std::get_if<DirectSolver>(&solver_)) {
+    report = direct->solve(A, b, x, graph_number);
+  } else {
+    report = std::get<IterativeSolver>(solver_).solve(A, b, x);
+  }
+  if (!report.solved) return report;
+  report.true_residual = true_residual(A, x, b);
+  if (!(report.true_residual <= accepted_residual_)) {
+    report.solved = false;
+    report.cause = fmt::format("the linear solver returned a wrong solution: |b - A x| / |b| = {:.2e}", report.true_residual);
+  }
+  return report;
+}
+
+}  // namespace mortise

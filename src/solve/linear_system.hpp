@@ -1,0 +1,27 @@
+// What every linear solver needs: known unknowns taken out, the groups that stay together, and the true residual.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assembly/tpetra.hpp"
+
+namespace mortise {
+
+/// Outcome of one linear solve. A failure is a value, with its cause in words.
+struct LinearReport {
+  bool solved = false;
+  std::string cause;            ///< why not
+  int iterations = 0;           ///< of an iterative solver; 0 for a direct one
+  double true_residual = 0;     ///< |b - A x| / |b|, always computed
+  int null_pivots = 0;          ///< of a direct solver: rank deficiency it met
+};
+
+/// Rows that are identities determine their unknowns at once: their columns go to the right-hand side, the graph stays.
+/// @param identity_rows per owned row, 1 where the row is the identity  @param b right-hand side, changed
+void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b);
+
+/// |b - A x| / |b|; 0 if b is zero and A x too.
+double true_residual(const Matrix& A, const Vector& x, const Vector& b);
+
+}  // namespace mortise

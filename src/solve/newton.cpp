@@ -1,0 +1,199 @@
+#include "solve/newton.hpp"
+
+#include <NOX_LineSearch_Generic.H>
+#include <NOX_LineSearch_UserDefinedFactory.H>
+#include <NOX_Solver_Factory.H>
+#include <NOX_Solver_Generic.H>
+#include <NOX_StatusTest_Generic.H>
+#include <fmt/format.h>
+
+#include <Teuchos_CommHelpers.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <set>
+
+#include "solve/newton_group.hpp"
+
+namespace mortise {
+namespace {
+
+/// Full steps. Half a step only where the full one cannot be evaluated (det F <= 0), or once after the active set has cycled.
+class StepLength : public NOX::LineSearch::Generic {
+ public:
+  explicit StepLength(std::shared_ptr<NewtonShared> shared) : shared_(std::move(shared)) {}
+
+  bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction, const NOX::Solver::Generic& solver) override {
+    step = shared_->halve_next ? 0.5 : 1.0;
+    shared_->halve_next = false;
+    const auto& old = solver.getPreviousSolutionGroup();
+    for (int halvings = 0; halvings <= 10; ++halvings, step *= 0.5) {
+      group.computeX(old, direction, step);
+      if (group.computeF() == NOX::Abstract::Group::Ok) {
+        shared_->last_step_length = step;
+        return true;
+      }
+    }
+    shared_->last_step_length = 0;
+    return false;
+  }
+
+ private:
+  std::shared_ptr<NewtonShared> shared_;
+};
+
+class StepLengthFactory : public NOX::LineSearch::UserDefinedFactory {
+ public:
+  explicit StepLengthFactory(std::shared_ptr<NewtonShared> shared) : shared_(std::move(shared)) {}
+  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) const override {
+    return Teuchos::rcp(new StepLength(shared_));
+  }
+
+ private:
+  std::shared_ptr<NewtonShared> shared_;
+};
+
+/// Convergence of a step (conventions, section 8), the log of the active set, and cycles.
+class StepStatus : public NOX::StatusTest::Generic {
+ public:
+  StepStatus(std::shared_ptr<NewtonShared> shared, const SolverOptions& options, StepResult& result)
+      : shared_(std::move(shared)), options_(options), result_(result) {}
+
+  NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
+    const auto& group = dynamic_cast<const NewtonGroup&>(solver.getSolutionGroup());
+    const int iteration = solver.getNumIterations();
+    status_ = NOX::StatusTest::Unconverged;
+    result_.iterations = iteration;
+    if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause);
+    if (!group.isF() || !group.evaluation().admissible) return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
+    const Evaluation& e = group.evaluation();
+    if (!std::isfinite(e.force_residual) || !std::isfinite(e.gap_residual)) return fail("the residual is not a finite number");
+
+    const bool settled = compare_sets(e, unwrap(group.getX()));
+    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_step_length};
+    result_.log.push_back(line);
+
+    const Scene& scene = shared_->problem.scene();
+    const double h = scene.size;
+    const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, scene.force_floor) &&
+                       e.gap_residual <= options_.tolerance * h && e.support_residual <= options_.tolerance * h;
+    if (small && settled && iteration > 0) {
+      if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
+      return status_;
+    }
+    detect_cycle(e, settled);
+    if (iteration >= options_.largest_iterations)
+      return fail(cycles_ > 0 ? "the active set cycles" : fmt::format("Newton stopped after {} iterations", iteration));
+    return status_;
+  }
+
+  NOX::StatusTest::StatusType getStatus() const override { return status_; }
+  std::ostream& print(std::ostream& stream, int) const override { return stream; }
+
+ private:
+  NOX::StatusTest::StatusType fail(const std::string& cause) {
+    result_.cause = cause;
+    return status_ = NOX::StatusTest::Failed;
+  }
+
+  // Nodes at round-off in both gap and pressure may flip for ever: their branch does not matter (case C3).
+  bool compare_sets(const Evaluation& e, const Vector& x) {
+    opened_ = closed_ = 0;
+    result_.unsettled.clear();
+    if (previous_.empty()) {
+      previous_ = e.closed;
+      return true;
+    }
+    std::vector<int> changed;
+    for (std::size_t k = 0; k < e.closed.size(); ++k)
+      if (e.closed[k] != previous_[k]) {
+        changed.push_back(static_cast<int>(k));
+        ++(e.closed[k] ? closed_ : opened_);
+      }
+    bool settled = true;
+    if (!changed.empty()) {
+      const auto& map = *x.getMap();
+      const auto pressure = x.getData(), gap = e.gap->getData();
+      const long long first = 3LL * shared_->problem.dofs().n_nodes();
+      const double no_gap = 1e-12 * shared_->problem.scene().size, no_pressure = 1e-12 * std::max(1e-300, greatest_pressure(x));
+      std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
+      for (std::size_t k = 0; k < changed.size(); ++k) {
+        const int local = map.getLocalElement(first + changed[k]);
+        if (local != Teuchos::OrdinalTraits<int>::invalid() && (std::abs(gap[local]) > no_gap || std::abs(pressure[local]) > no_pressure)) matters[k] = 1;
+      }
+      Teuchos::reduceAll(*map.getComm(), Teuchos::REDUCE_MAX, static_cast<int>(matters.size()), matters.data(), all.data());
+      for (std::size_t k = 0; k < changed.size(); ++k)
+        if (all[k]) result_.unsettled.push_back(changed[k]);
+      settled = result_.unsettled.empty();
+    }
+    previous_ = e.closed;
+    return settled;
+  }
+
+  double greatest_pressure(const Vector& x) const {
+    const auto values = x.getData();
+    const long long first = 3LL * shared_->problem.dofs().n_nodes();
+    double greatest = 0, all = 0;
+    for (int k = 0; k < static_cast<int>(values.size()); ++k)
+      if (x.getMap()->getGlobalElement(k) >= first) greatest = std::max(greatest, std::abs(values[k]));
+    Teuchos::reduceAll(*x.getMap()->getComm(), Teuchos::REDUCE_MAX, 1, &greatest, &all);
+    return all;
+  }
+
+  // A set that was left and is met again: the next step is halved, so that the iterates leave the loop.
+  void detect_cycle(const Evaluation& e, bool settled) {
+    if (!settled && seen_.count(e.closed) > 0) {
+      ++cycles_;
+      shared_->halve_next = true;
+      seen_.clear();
+    }
+    seen_.insert(e.closed);
+  }
+
+  std::shared_ptr<NewtonShared> shared_;
+  const SolverOptions& options_;
+  StepResult& result_;
+  NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
+  std::vector<char> previous_;
+  std::set<std::vector<char>> seen_;
+  int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0;
+};
+
+}  // namespace
+
+Newton::Newton(StepProblem& problem, const SolverOptions& options)
+    : problem_(problem), options_(options), linear_(problem.scene(), problem.dofs(), options) {}
+
+StepResult Newton::solve(const State& from, double t) {
+  StepResult result;
+  problem_.set_time(t);
+  auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
+  const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
+  const auto group = Teuchos::rcp(new NewtonGroup(shared, x));
+  const auto status = Teuchos::rcp(new StepStatus(shared, options_, result));
+
+  const auto list = Teuchos::parameterList();
+  list->set("Nonlinear Solver", "Line Search Based");
+  list->sublist("Direction").set("Method", "Newton");
+  list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", true);  // a failed solve ends in StepStatus, not in a throw
+  list->sublist("Line Search").set("Method", "User Defined");
+  list->sublist("Line Search")
+      .set("User Defined Line Search Factory",
+           Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>(Teuchos::rcp(new StepLengthFactory(shared))));
+  list->sublist("Printing").set("Output Information", 0);
+  list->sublist("Printing").set("Output Processor", 0);
+  list->sublist("Printing").set("MyPID", problem_.dofs().comm()->getRank());
+  list->sublist("Solver Options").set("Status Test Check Type", "Complete");
+
+  const auto solver = NOX::Solver::buildSolver(group, status, list);
+  result.converged = solver->solve() == NOX::StatusTest::Converged;
+  if (!result.converged) {
+    if (result.cause.empty()) result.cause = "the step length fell to nothing: every state along the Newton direction is inadmissible";
+    return result;
+  }
+  const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());
+  result.state.time = t;
+  result.state.x = Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy));
+  result.evaluation = solved.evaluation();
+  return result;
+}
+
+}  // namespace mortise
