@@ -36,6 +36,7 @@ struct PrescribedDof {
 struct Support {
   std::string name;
   std::array<std::optional<Formula>, 3> displacement;
+  std::array<std::string, 3> where;  ///< start of the message about a formula: its place in the deck
 };
 
 /// Dead traction: nodal weights [m^2] of a side set and the traction [Pa] by formula.
@@ -43,6 +44,7 @@ struct Traction {
   std::string name;
   std::vector<std::pair<int, double>> weights;
   std::array<std::optional<Formula>, 3> traction;
+  std::array<std::string, 3> where;  ///< start of the message about a formula: its place in the deck
 };
 
 /// Two surfaces that may meet.

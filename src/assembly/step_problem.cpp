@@ -35,8 +35,7 @@ void all_reduce(const Comm& comm, Teuchos::EReductionType type, std::vector<T>& 
 double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where) {
   const double v = formula(t, X);
   if (!std::isfinite(v))
-    throw DeckError(fmt::format("error[D40] {}: the formula \"{}\" gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where,
-                                formula.text(), v, t, X[0], X[1], X[2]));
+    throw DeckError(fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]));
   return v;
 }
 
@@ -71,7 +70,7 @@ void StepProblem::set_time(double t) {
   for (const auto& p : scene_.prescribed) {
     if (!dofs_.owned(p.node)) continue;
     const auto& support = scene_.supports[p.support];
-    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], "supports > " + support.name);
+    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], support.where[p.axis]);
     prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
   }
   external_->putScalar(0.0);
@@ -80,7 +79,7 @@ void StepProblem::set_time(double t) {
     for (const auto& [node, weight] : traction.weights) {
       if (!dofs_.owned(node)) continue;
       for (int i = 0; i < 3; ++i)
-        if (traction.traction[i]) f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], "loads > " + traction.name);
+        if (traction.traction[i]) f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
     }
 }
 
@@ -321,6 +320,21 @@ State StepProblem::initial_state() {
                                        depth[pair.first_multiplier + k] / pair.size, pair.size));
   if (!messages.empty()) throw MeshError(messages);
   return state;
+}
+
+Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
+  const auto overlap_x = to_overlap(x);
+  Vector shares(dofs_.overlap_map()), gap(dofs_.overlap_map()), area(dofs_.overlap_map());
+  pairs_[k]->integrate(data(*overlap_x), false, data(shares), data(gap), data(area));
+  Vector force(dofs_.owned_map());
+  force.doExport(shares, *dofs_.importer(), Tpetra::ADD);
+  const double* f = data(force);
+  std::vector<double> sum(3, 0.0);
+  for (int node : scene_.pairs[k].secondary_nodes)
+    if (dofs_.owned(node))
+      for (int i = 0; i < 3; ++i) sum[i] -= f[dofs_.local(node) + i];
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, sum);
+  return {sum[0], sum[1], sum[2]};
 }
 
 RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures) {

@@ -75,6 +75,9 @@ class StepProblem {
   /// A quantity of every node (3 values) or pressure (1 value) on every rank, from an owned vector: for output. Index as global unknowns.
   std::vector<double> gather(const Vector& owned) const;
 
+  /// Sum of the contact forces of one pair on its secondary surface [N] (the force acts on the body).
+  Vec3<double> force_on_secondary(const Vector& x, std::size_t pair);
+
   /// Contact force on the bodies with pressures `p` taken from `pressures` and geometry from `x`; sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
 

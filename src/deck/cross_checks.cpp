@@ -46,9 +46,9 @@ class CrossChecks {
     findings_.problems.push_back(source_.problem(code, path, what));
   }
 
-  /// An empty name was missing or faulty, and has been reported.
+  /// An empty name was missing or faulty, and so was an empty list of meshes: reported already.
   void check_mesh(const std::string& mesh, const std::vector<std::string>& path) {
-    if (!mesh.empty() && known_meshes_.count(mesh) == 0) {
+    if (!mesh.empty() && !meshes_.empty() && known_meshes_.count(mesh) == 0) {
       report("D14", path, not_among("there is no mesh " + in_quotes(mesh), mesh, meshes_));
     }
   }
@@ -59,7 +59,7 @@ class CrossChecks {
     std::map<std::string, std::map<std::string, std::string>> owners;  // mesh -> block ("" for all) -> body
     for (const auto& [name, body] : options_.bodies) {
       check_mesh(body.mesh, {"bodies", name, "mesh"});
-      if (!body.material.empty() && known_materials.count(body.material) == 0) {
+      if (!body.material.empty() && !materials.empty() && known_materials.count(body.material) == 0) {
         report("D14", {"bodies", name, "material"},
                not_among("there is no material " + in_quotes(body.material), body.material, materials));
       }

@@ -30,10 +30,12 @@ std::string quoted_names(const std::vector<std::string>& names) {
 }
 
 std::string not_among(const std::string& what, const std::string& name, const std::vector<std::string>& known) {
-  constexpr std::size_t shown = 30;
-  const std::string hint = did_you_mean(name, known);
-  const std::vector<std::string> first(known.begin(), known.begin() + static_cast<long>(std::min(known.size(), shown)));
-  return what + hint + (hint.empty() ? "; " : " ") + "allowed: " + (known.empty() ? "none" : join(first)) +
+  constexpr std::size_t shown = 30, searched = 1000;  // a deck with thousands of names and errors must not take minutes
+  const auto first_of = [&](std::size_t n) {
+    return std::vector<std::string>(known.begin(), known.begin() + static_cast<long>(std::min(known.size(), n)));
+  };
+  const std::string hint = did_you_mean(name, first_of(searched));
+  return what + hint + (hint.empty() ? "; " : " ") + "allowed: " + (known.empty() ? "none" : join(first_of(shown))) +
          (known.size() > shown ? ", ..." : "");
 }
 
@@ -63,59 +65,69 @@ void Reader::formula(const std::string& name, std::optional<std::string>& target
 }
 
 void Reader::exactly_one_of(const std::vector<std::string>& names) {
-  std::vector<const DeckParameter*> set;
-  for (const std::string& name : names) {
-    if (failed_.count(name) > 0) return;
-    if (const DeckParameter* parameter = list_.parameter(name)) set.push_back(parameter);
-  }
-  const std::string demand = "exactly one of " + quoted_names(names) + " must be set";
-  if (set.empty()) findings_.problems.push_back(source_.problem("D12", path_, demand + ", none is"));
-  if (set.size() < 2) return;
-  std::sort(set.begin(), set.end());  // by address: the parameters of a list stand in the order of the text
-  fail("D12", set[1]->name, demand + ", but " + in_quotes(set[0]->name) + " is set already");
+  checks_.push_back([this, names] {
+    std::vector<const DeckParameter*> set;
+    for (const std::string& name : names) {
+      if (failed_.count(name) > 0) return;
+      if (const DeckParameter* parameter = list_.parameter(name)) set.push_back(parameter);
+    }
+    const std::string demand = "exactly one of " + quoted_names(names) + " must be set";
+    if (set.empty()) fail_here("D12", demand + ", none is");
+    if (set.size() < 2) return;
+    std::sort(set.begin(), set.end());  // by address: the parameters of a list stand in the order of the text
+    fail("D12", set[1]->name, demand + ", but " + in_quotes(set[0]->name) + " is set already");
+  });
 }
 
 void Reader::at_least_one_of(const std::vector<std::string>& names) {
-  if (std::any_of(names.begin(), names.end(), [this](const std::string& name) { return is_set(name); })) return;
-  findings_.problems.push_back(source_.problem("D12", path_, "at least one of " + quoted_names(names) + " must be set"));
+  checks_.push_back([this, names] {
+    const auto is_seen = [this](const std::string& name) { return is_set(name) || failed_.count(name) > 0; };
+    if (std::any_of(names.begin(), names.end(), is_seen)) return;
+    fail_here("D12", "at least one of " + quoted_names(names) + " must be set");
+  });
 }
 
 void Reader::only_with(const std::vector<std::string>& names, const std::string& governor, bool holds, const std::string& text) {
-  if (holds || failed_.count(governor) > 0) return;
-  for (const std::string& name : names) {
-    if (is_set(name)) fail("D13", name, "is set but unused: it has a meaning only with " + text);
-  }
+  if (holds) return;
+  checks_.push_back([this, names, governor, text] {
+    if (failed_.count(governor) > 0) return;
+    for (const std::string& name : names) {
+      if (is_set(name)) fail("D13", name, "is set but unused: it has a meaning only with " + text);
+    }
+  });
 }
 
 void Reader::rule(const std::string& code, const std::vector<std::string>& names, bool holds, const std::string& text,
                   const std::string& limit) {
   if (holds) return;
-  for (const std::string& name : names) {
-    const bool is_missing = std::find(missing_.begin(), missing_.end(), name) != missing_.end();
-    if (is_missing || failed_.count(name) > 0) return;
-  }
-  for (const std::string& name : names) {
-    if (is_set(name)) {
-      fail(code, name, text + limit);
-      return;
+  checks_.push_back([this, code, names, what = text + limit] {
+    for (const std::string& name : names) {
+      const bool is_missing = std::find(missing_.begin(), missing_.end(), name) != missing_.end();
+      if (is_missing || failed_.count(name) > 0) return;
     }
-  }
-  findings_.problems.push_back(source_.problem(code, path_, in_quotes(names.front()) + " " + text + limit));
+    const auto set = std::find_if(names.begin(), names.end(), [this](const std::string& name) { return is_set(name); });
+    if (set != names.end()) {
+      fail(code, *set, what);
+    } else {
+      fail_here(code, in_quotes(names.front()) + " " + what);
+    }
+  });
 }
 
 void Reader::finish() {
   const auto check_known = [this](const std::string& name, const char* kind) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
     fail("D06", name, not_among(std::string("unknown ") + kind, name, known_));
-    // A misspelt name is one error, not two.
-    const auto meant = std::find(missing_.begin(), missing_.end(), nearest_name(name, known_));
-    if (meant != missing_.end()) missing_.erase(meant);
+    // A misspelt name is one error: what it stands for is neither missing nor to be judged with others.
+    const std::string meant = nearest_name(name, known_);
+    if (meant.empty() || is_set(meant)) return;
+    failed_.insert(meant);
+    missing_.erase(std::remove(missing_.begin(), missing_.end(), meant), missing_.end());
   };
   for (const DeckParameter& parameter : list_.parameters) check_known(parameter.name, "parameter");
   for (const DeckList& below : list_.lists) check_known(below.name, "list");
-  for (const std::string& name : missing_) {
-    findings_.problems.push_back(source_.problem("D07", path_, "required " + in_quotes(name) + " is missing"));
-  }
+  for (const std::string& name : missing_) fail_here("D07", "required " + in_quotes(name) + " is missing");
+  for (const std::function<void()>& check : checks_) check();
 }
 
 bool Reader::is_given(const std::string& name, Presence presence) {
@@ -172,6 +184,10 @@ bool Reader::fail(const std::string& code, const std::string& name, const std::s
   failed_.insert(name);
   findings_.problems.push_back(source_.problem(code, below_path(name), what, unit));
   return false;
+}
+
+void Reader::fail_here(const std::string& code, const std::string& what) {
+  findings_.problems.push_back(source_.problem(code, path_, what));
 }
 
 std::vector<std::string> Reader::below_path(const std::string& name) const {

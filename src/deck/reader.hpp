@@ -1,6 +1,7 @@
 // Fills an option struct from a list of the deck by its description, collecting every error.
 #pragma once
 
+#include <functional>
 #include <set>
 #include <string>
 #include <utility>
@@ -89,7 +90,7 @@ class Reader {
   void rule(const std::string& code, const std::vector<std::string>& names, bool holds, const std::string& text,
             const std::string& limit = "");
 
-  /// Reports what is missing, and entries that the description does not know; the last thing to do.
+  /// Reports entries that the description does not know, what is missing, and what does not go together; the last thing to do.
   void finish();
 
   template <class Options>
@@ -126,6 +127,8 @@ class Reader {
 
   /// Notes an error at a parameter or list of this list. @return false
   bool fail(const std::string& code, const std::string& name, const std::string& what, const std::string& unit = "");
+  /// Notes an error of this list as a whole.
+  void fail_here(const std::string& code, const std::string& what);
   std::vector<std::string> below_path(const std::string& name) const;
   bool is_set(const std::string& name) const;
 
@@ -135,7 +138,8 @@ class Reader {
   Findings& findings_;
   std::vector<std::string> known_;
   std::vector<std::string> missing_;
-  std::set<std::string> failed_;
+  std::set<std::string> failed_;               ///< reported: to be left alone by the checks
+  std::vector<std::function<void()>> checks_;  ///< what ties parameters together: judged when misspelt names are known
 };
 
 }  // namespace mortise

@@ -163,12 +163,23 @@ inline std::string with_lists(const std::string& lists) {
   return text.insert(text.rfind("</ParameterList>"), lists + "\n");
 }
 
-/// Writes a file into a folder of this process. @return its path
+/// A folder of this process, gone when it ends.
+struct Folder {
+  const std::filesystem::path path = std::filesystem::temp_directory_path() / ("mortise_deck_" + std::to_string(getpid()));
+  Folder() { std::filesystem::create_directories(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
+  }
+};
+
+/// Writes a file into the folder of this process. @return its path
 inline std::filesystem::path write_file(const std::string& text, const std::string& name = "deck.xml") {
-  const auto folder = std::filesystem::temp_directory_path() / ("mortise_deck_" + std::to_string(getpid()));
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / name, std::ios::binary) << text;
-  return folder / name;
+  static const Folder folder;
+  std::ofstream(folder.path / name, std::ios::binary) << text;
+  return folder.path / name;
 }
 
 inline DeckOptions read_text(const std::string& text) { return Deck::read(write_file(text)).options(); }

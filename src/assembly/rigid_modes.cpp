@@ -1,0 +1,125 @@
+#include "assembly/rigid_modes.hpp"
+
+#include <fmt/format.h>
+
+#include <Teuchos_LAPACK.hpp>
+#include <algorithm>
+#include <cmath>
+
+#include "errors.hpp"
+
+namespace mortise {
+namespace {
+
+constexpr const char* mode_names[6] = {"translation x", "translation y", "translation z", "rotation x", "rotation y", "rotation z"};
+
+struct Frame {
+  Point centre{};
+  double length = 0;  // rotations are measured by the displacement at this distance
+};
+
+Frame frame_of(const Scene& scene, const Body& body) {
+  const auto& X = scene.mesh.mesh.coordinates;
+  Frame frame;
+  for (int n : body.nodes)
+    for (int i = 0; i < 3; ++i) frame.centre[i] += X[n][i] / body.nodes.size();
+  for (int n : body.nodes)
+    for (int i = 0; i < 3; ++i) frame.length = std::max(frame.length, std::abs(X[n][i] - frame.centre[i]));
+  return frame;
+}
+
+// Displacement along d at X, for each of the six modes of a body.
+std::array<double, 6> motion(const Frame& frame, const Point& X, const Vec3<double>& d) {
+  const Vec3<double> r{(X[0] - frame.centre[0]) / frame.length, (X[1] - frame.centre[1]) / frame.length, (X[2] - frame.centre[2]) / frame.length};
+  const Vec3<double> moment = cross(r, d);
+  return {d[0], d[1], d[2], moment[0], moment[1], moment[2]};
+}
+
+int body_of(const Scene& scene, int node) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (std::binary_search(scene.bodies[b].nodes.begin(), scene.bodies[b].nodes.end(), node)) return static_cast<int>(b);
+  return -1;
+}
+
+// Brings a basis (rows) to reduced echelon form, so that single modes stand alone where they can.
+void reduce(std::vector<std::vector<double>>& basis) {
+  std::size_t row = 0;
+  for (std::size_t c = 0; row < basis.size() && c < basis[0].size(); ++c) {
+    std::size_t pivot = row;
+    for (std::size_t r = row; r < basis.size(); ++r)
+      if (std::abs(basis[r][c]) > std::abs(basis[pivot][c])) pivot = r;
+    if (std::abs(basis[pivot][c]) < 1e-6) continue;
+    std::swap(basis[row], basis[pivot]);
+    const double scale = basis[row][c];
+    for (double& v : basis[row]) v /= scale;
+    for (std::size_t r = 0; r < basis.size(); ++r) {
+      if (r == row) continue;
+      const double factor = basis[r][c];
+      for (std::size_t k = 0; k < basis[r].size(); ++k) basis[r][k] -= factor * basis[row][k];
+    }
+    ++row;
+  }
+}
+
+}  // namespace
+
+std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& closed, const std::vector<Vec3<double>>& normals) {
+  const int n = 6 * static_cast<int>(scene.bodies.size());
+  std::vector<Frame> frames;
+  for (const auto& body : scene.bodies) frames.push_back(frame_of(scene, body));
+  std::vector<double> RtR(static_cast<std::size_t>(n) * n, 0.0), row(n);
+  const auto add_row = [&] {
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < n; ++j) RtR[static_cast<std::size_t>(i) * n + j] += row[i] * row[j];
+    std::fill(row.begin(), row.end(), 0.0);
+  };
+  const auto add_motion = [&](int body, const Point& X, const Vec3<double>& d, double sign) {
+    if (body < 0) return;
+    const auto m = motion(frames[body], X, d);
+    for (int k = 0; k < 6; ++k) row[6 * body + k] += sign * m[k];
+  };
+  const auto& X = scene.mesh.mesh.coordinates;
+  for (const auto& p : scene.prescribed) {
+    Vec3<double> d{};
+    d[p.axis] = 1;
+    add_motion(body_of(scene, p.node), X[p.node], d, 1);
+    add_row();
+  }
+  for (const auto& pair : scene.pairs) {
+    const int primary = body_of(scene, pair.primary.facets[0][0]);
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
+      if (!closed[pair.first_multiplier + k]) continue;
+      const int node = pair.secondary_nodes[k];
+      add_motion(body_of(scene, node), X[node], normals[pair.first_multiplier + k], 1);
+      add_motion(primary, X[node], normals[pair.first_multiplier + k], -1);
+      add_row();
+    }
+  }
+
+  std::vector<double> eigenvalues(n), work(64 * static_cast<std::size_t>(n));
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, RtR.data(), n, eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  std::vector<std::vector<double>> basis;
+  for (int k = 0; k < n; ++k)
+    if (eigenvalues[k] <= 1e-10 * std::max(1.0, eigenvalues[n - 1])) basis.emplace_back(&RtR[static_cast<std::size_t>(k) * n], &RtR[static_cast<std::size_t>(k) * n] + n);
+  if (basis.empty()) return {};
+  reduce(basis);
+
+  std::vector<FreeBody> found;
+  for (const auto& mode : basis) {
+    const int largest = static_cast<int>(std::max_element(mode.begin(), mode.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - mode.begin());
+    const std::string& name = scene.bodies[largest / 6].name;
+    std::vector<std::string> parts;
+    for (int k = 0; k < n; ++k) {
+      if (std::abs(mode[k]) < 1e-6) continue;
+      const std::string motion_name = std::abs(mode[k] - 1) < 1e-6 ? mode_names[k % 6] : fmt::format("{:.3g} {}", mode[k], mode_names[k % 6]);
+      parts.push_back(k / 6 == largest / 6 ? motion_name : fmt::format("{} of \"{}\"", motion_name, scene.bodies[k / 6].name));
+    }
+    auto at = std::find_if(found.begin(), found.end(), [&](const FreeBody& b) { return b.body == name; });
+    if (at == found.end()) at = found.insert(found.end(), FreeBody{name, {}});
+    at->modes.push_back(fmt::format("{}", fmt::join(parts, " with ")));
+  }
+  return found;
+}
+
+}  // namespace mortise

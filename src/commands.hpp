@@ -1,0 +1,32 @@
+// The commands of the program, each a function that returns its exit code; errors leave as exceptions for main to print.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "assembly/tpetra.hpp"
+#include "errors.hpp"
+
+namespace mortise {
+
+struct RunOptions {
+  std::filesystem::path deck;
+  std::optional<std::filesystem::path> output;  ///< default: the deck's name without .xml, in the current folder
+  bool overwrite = false;
+  bool quiet = false;
+};
+
+/// `mortise run`: marches the scene and writes the folder of the run.
+ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm);
+
+/// `mortise check`: reads a deck (and its meshes) or an Exodus file alone, checks everything, prints the manifest, runs nothing.
+ExitCode check_command(const std::filesystem::path& file, const RCP<const Comm>& comm);
+
+/// `mortise mesh`: writes the mesh of a recipe.
+ExitCode mesh_command(const std::filesystem::path& recipe, const std::filesystem::path& output, const RCP<const Comm>& comm);
+
+/// `mortise describe`: prints the deck reference, or one list of it.
+ExitCode describe_command(const std::string& list, const RCP<const Comm>& comm);
+
+}  // namespace mortise

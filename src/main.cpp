@@ -1,0 +1,78 @@
+// The command line: starts MPI, hands over to a command, prints errors once, leaves with its exit code.
+#include <dlfcn.h>
+
+#include <CLI/CLI.hpp>
+#include <Teuchos_CommHelpers.hpp>
+#include <Tpetra_Core.hpp>
+#include <cstdlib>
+#include <iostream>
+
+#include "commands.hpp"
+
+namespace {
+
+using namespace mortise;
+
+// One BLAS thread per rank: MPI ranks are the parallelism, and threads on top of them only fight for cores.
+void single_blas_thread() {
+  setenv("OPENBLAS_NUM_THREADS", "1", 1);
+  setenv("OMP_NUM_THREADS", "1", 1);
+  if (auto* set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
+}
+
+// Every rank has found the same errors; should one alone have failed, the others must not wait for it.
+int finish(const Comm& comm, int code, const std::string& message) {
+  int greatest = 0;
+  Teuchos::reduceAll(comm, Teuchos::REDUCE_MAX, 1, &code, &greatest);
+  if (comm.getRank() == 0 && !message.empty()) std::cerr << message << std::endl;
+  return greatest;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  single_blas_thread();
+  Tpetra::ScopeGuard mpi(&argc, &argv);
+  const auto comm = Tpetra::getDefaultComm();
+  const bool is_root = comm->getRank() == 0;
+
+  CLI::App app{"Mortise: deformable bodies that meet"};
+  app.require_subcommand(1);
+  RunOptions run;
+  std::filesystem::path output, file, recipe, mesh_file;
+  std::string list;
+  auto* run_app = app.add_subcommand("run", "march the scene of a deck");
+  run_app->add_option("deck", run.deck, "the deck (XML)")->required();
+  run_app->add_option("-o,--output", output, "folder for the results (default: the deck's name)");
+  run_app->add_flag("--overwrite", run.overwrite, "replace results in that folder");
+  run_app->add_flag("--quiet", run.quiet, "no line per step");
+  auto* check_app = app.add_subcommand("check", "check a deck with its meshes, or an Exodus file");
+  check_app->add_option("file", file, "deck (.xml) or mesh")->required();
+  auto* mesh_app = app.add_subcommand("mesh", "write the mesh of a recipe");
+  mesh_app->add_option("recipe", recipe, "the recipe (XML)")->required();
+  mesh_app->add_option("-o,--output", mesh_file, "Exodus file to write")->required();
+  auto* describe_app = app.add_subcommand("describe", "print the deck reference");
+  describe_app->add_option("list", list, "one list of it, e.g. contact");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (!is_root) return error.get_exit_code() == 0 ? 0 : static_cast<int>(ExitCode::command_line);
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::command_line);
+  }
+  if (!output.empty()) run.output = output;
+
+  try {
+    ExitCode code = ExitCode::done;
+    if (*run_app) code = run_command(run, comm);
+    if (*check_app) code = check_command(file, comm);
+    if (*mesh_app) code = mesh_command(recipe, mesh_file, comm);
+    if (*describe_app) code = describe_command(list, comm);
+    return finish(*comm, static_cast<int>(code), "");
+  } catch (const UserError& error) {
+    return finish(*comm, static_cast<int>(error.code()), error.what());
+  } catch (const std::bad_alloc&) {
+    return finish(*comm, static_cast<int>(ExitCode::resources), "error[R01] out of memory: the scene is too large for this machine or rank count");
+  } catch (const std::exception& error) {
+    return finish(*comm, static_cast<int>(ExitCode::internal), std::string("internal error, please report it: ") + error.what());
+  }
+}

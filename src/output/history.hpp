@@ -1,0 +1,54 @@
+// history.csv: one row per accepted step, with forces, the ledger of energies and works, momenta, probes and counts.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "time/march.hpp"
+
+namespace mortise {
+
+/// Columns and rows of a run; on rank 0 also the file. Columns: conventions, section 3; the ledger: section 7.
+class History {
+ public:
+  /// Writes the header on rank 0. @throws FileError
+  History(const StepProblem& problem, const std::filesystem::path& file);
+
+  const std::vector<std::string>& columns() const { return columns_; }
+  const std::vector<std::vector<double>>& rows() const { return rows_; }
+
+  /// Appends the row of an accepted step. Collective; evaluates forces anew but changes nothing the march can see.
+  void observe(StepProblem& problem, const State& before, const State& now, const Evaluation& at, const StepRecord& record, double seconds_solve,
+               double seconds_output);
+
+  /// Column number by name; -1 if there is none.
+  int column(const std::string& name) const;
+
+ private:
+  struct Works {
+    double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0, mismatch = 0;
+  };
+  void update_works(StepProblem& problem, const State& before, const State& now, const Evaluation& at);
+
+  std::vector<std::string> columns_;
+  std::vector<std::vector<double>> rows_;
+  std::ofstream out_;
+  std::filesystem::path file_;
+  bool writes_;
+  Works works_;
+  double strain_energy_ = 0;
+  std::vector<char> closed_before_;
+  RCP<Vector> internal_before_;
+  std::vector<double> weighted_gap_before_;
+};
+
+/// Nodal values by the names used in decks: von_mises, displacement_x, contact_pressure, ... , on every rank, one value per node.
+/// @throws std::logic_error for a name that the deck reader should not have let through
+std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at, const std::string& name);
+
+/// The nodal variables that a field of the deck stands for, e.g. "displacement" -> displacement_x, _y, _z.
+std::vector<std::string> variables_of_field(const std::string& field);
+
+}  // namespace mortise

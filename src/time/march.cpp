@@ -1,0 +1,113 @@
+#include "time/march.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace mortise {
+namespace {
+
+std::string iteration_table(const StepResult& result) {
+  std::string text = "  it       |r|   |r|/scale       |gap|  closed\n";
+  for (std::size_t k = 0; k < result.log.size(); ++k) {
+    const NewtonLine& line = result.log[k];
+    text += fmt::format("  {:2}  {:8.2e}    {:8.2e}    {:8.2e}  {:6}", k, line.force_residual,
+                        line.force_scale > 0 ? line.force_residual / line.force_scale : 0.0, line.gap_residual, line.closed);
+    if (line.opened_now + line.closed_now > 0) text += fmt::format(" (+{} -{})", line.closed_now, line.opened_now);
+    if (line.linear_iterations > 0) text += fmt::format("  gmres {}", line.linear_iterations);
+    if (line.step_length != 1) text += fmt::format("  step length {:g}", line.step_length);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string name_of_multiplier(const Scene& scene, int k) {
+  for (const auto& pair : scene.pairs)
+    if (k >= pair.first_multiplier && k < pair.first_multiplier + static_cast<int>(pair.secondary_nodes.size()))
+      return fmt::format("{} (pair \"{}\")", describe_node(scene.mesh, pair.secondary_nodes[k - pair.first_multiplier]), pair.name);
+  return "?";
+}
+
+std::string unsettled_nodes(const Scene& scene, const std::vector<int>& multipliers) {
+  if (multipliers.empty()) return "";
+  std::string text = ", unsettled: ";
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, multipliers.size()); ++k) text += (k ? ", " : "") + name_of_multiplier(scene, multipliers[k]);
+  if (multipliers.size() > 3) text += fmt::format(" and {} more", multipliers.size() - 3);
+  return text;
+}
+
+}  // namespace
+
+StepSize::StepSize(const TimeOptions& options) : options_(options), stops_(options.stops), dt_(options.step) {
+  if (stops_.empty() || stops_.back() < options.end) stops_.push_back(options.end);
+}
+
+double StepSize::next_time(double t) const {
+  const double stop = *std::find_if(stops_.begin(), stops_.end(), [&](double s) { return s > t; });
+  // A rest shorter than a thousandth of the step is taken along: no step of round-off length.
+  return t + 1.001 * dt_ >= stop ? stop : t + dt_;
+}
+
+bool StepSize::is_stop(double t) const { return std::find(stops_.begin(), stops_.end(), t) != stops_.end(); }
+
+void StepSize::accepted(int newton_iterations) {
+  if (newton_iterations <= options_.easy_iterations) dt_ = std::min(options_.growth * dt_, options_.largest_step.value_or(options_.step));
+}
+
+bool StepSize::cut(double tried) {
+  dt_ = 0.5 * tried;
+  return dt_ >= options_.smallest_step.value_or(options_.step / 1024);
+}
+
+MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options, const std::vector<Observer>& observers,
+                   const Reporter& log, const Reporter& progress) {
+  const Scene& scene = problem.scene();
+  MarchSummary summary;
+  StepSize size(options);
+  State state = initial;
+  problem.set_time(state.time);
+  {
+    const Evaluation at = problem.evaluate(*state.x);
+    for (const auto& observe : observers) observe(state, state, at, StepRecord{});
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  int cuts = 0;
+  while (state.time < options.end) {
+    const double t = size.next_time(state.time), dt = t - state.time;
+    StepResult result = newton.solve(state, t);
+    const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", summary.steps + 1, t, dt);
+    if (!result.converged) {
+      ++cuts;
+      ++summary.cuts;
+      summary.wasted_iterations += result.iterations;
+      const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
+      const bool go_on = size.cut(dt);
+      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : "  next:  nothing, the smallest step is reached";
+      log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations, iteration_table(result), cause, next));
+      progress(fmt::format("{}: not converged, {}", head, cause));
+      if (!go_on) {
+        summary.code = ExitCode::no_convergence;
+        summary.cause = fmt::format("{}: no step converged at the smallest dt; {}", head, cause);
+        break;
+      }
+      continue;
+    }
+    ++summary.steps;
+    summary.newton_iterations += result.iterations;
+    log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
+    const StepRecord record{summary.steps, t, dt, result.iterations, cuts, size.is_stop(t)};
+    for (const auto& observe : observers) observe(state, result.state, result.evaluation, record);
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double to_go = elapsed * (options.end - t) / (t - initial.time);
+    progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations, result.evaluation.n_closed, to_go));
+    cuts = 0;
+    size.accepted(result.iterations);
+    state = result.state;
+  }
+  summary.end_time = state.time;
+  return summary;
+}
+
+}  // namespace mortise
