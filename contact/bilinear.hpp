@@ -14,18 +14,15 @@ std::array<T, 4> bilinear_shape(const T& s, const T& t) {
   return {T(s1 * t1), T(s * t1), T(s * t), T(s1 * t)};
 }
 
-/// Local coordinates of `point` in a facet, on values: the root of  A s^2 + B s + C = 0  that is regular at A = 0
-/// (parallelograms), or the other one where that lies outside (facets with a reflex corner). No iteration.
+/// Local coordinates of `point` in a facet of either orientation, on values: the root of  A s^2 + B s + C = 0  at which the Jacobian
+/// of the map, R = B + 2 A s, has the sign of the facet's area. Every point of a facet, reflex corner or not, has just one such source
+/// inside the unit square. No iteration.
 inline Vec2<double> inverse_bilinear(const Quad<double>& x, const Vec2<double>& point) {
   const auto r = point - x[0], b = x[1] - x[0], c = x[3] - x[0];
   const Vec2<double> d = (x[2] - x[3]) - b;
   const double A = cross(b, d), B = cross(b, c) - cross(r, d), C = -cross(r, c);
-  const double root = std::copysign(std::sqrt(std::max(0.0, B * B - 4 * A * C)), cross(b, c));
-  double s = -2 * C / (B + root);
-  if (!(s > -0.5 && s < 1.5) && A != 0) {
-    const double other = -(B + root) / (2 * A);
-    if (!(std::abs(other - 0.5) >= std::abs(s - 0.5))) s = other;
-  }
+  const double R = std::copysign(std::sqrt(std::max(0.0, B * B - 4 * A * C)), twice_area(x));
+  const double s = B * R >= 0 ? -2 * C / (B + R) : (R - B) / (2 * A);  // the same root, written without cancellation
   const Vec2<double> along{c.x + s * d.x, c.y + s * d.y};
   const double t = ((r.x - s * b.x) * along.x + (r.y - s * b.y) * along.y) / (along.x * along.x + along.y * along.y);
   return {s, t};

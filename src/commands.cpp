@@ -40,7 +40,7 @@ struct Setup {
         partition(make_partition(scene.mesh.mesh, comm->getSize(), contact_elements(scene))),
         problem(scene, partition, comm),
         initial(problem.initial_state()) {
-    problem.set_time(0);
+    problem.begin_step(initial, 0);
     refuse_free_bodies();
   }
 

@@ -229,13 +229,19 @@ class SceneMaker {
       const double area = facet_areas(pair.secondary, pair.secondary_nodes, pair.tributary_area);
       pair.size = std::sqrt(area / pair.secondary.facets.size());
       std::vector<double> unused;
-      const double primary_size = std::sqrt(facet_areas(pair.primary, primary_nodes, unused) / pair.primary.facets.size());
-      for (const Body& body : scene_.bodies)
-        if (std::binary_search(body.elements.begin(), body.elements.end(), pair.secondary_elements[0])) pair.youngs_modulus = body.youngs_modulus;
-      if (pair.size > 3 * primary_size)
-        warnings_.push_back(fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap them for a sharper pressure", name, pair.size, primary_size));
+      pair.primary_size = std::sqrt(facet_areas(pair.primary, primary_nodes, unused) / pair.primary.facets.size());
+      pair.youngs_modulus = modulus_behind(*secondary);
+      pair.primary_youngs_modulus = modulus_behind(*primary);
+      if (pair.size > 3 * pair.primary_size)
+        warnings_.push_back(fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap them for a sharper pressure", name, pair.size, pair.primary_size));
       scene_.pairs.push_back(std::move(pair));
     }
+  }
+
+  double modulus_behind(const SideSet& sides) const {
+    for (const Body& body : scene_.bodies)
+      if (std::binary_search(body.elements.begin(), body.elements.end(), sides.sides[0].element)) return body.youngs_modulus;
+    throw std::logic_error("an element without a body");
   }
 
   double facet_areas(const ContactSurface& surface, const std::vector<int>& nodes, std::vector<double>& tributary) const {

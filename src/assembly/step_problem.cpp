@@ -63,8 +63,9 @@ std::vector<double> StepProblem::gather(const Vector& owned) const {
   return all;
 }
 
-void StepProblem::set_time(double t) {
+void StepProblem::begin_step(const State& from, double t) {
   time_ = t;
+  start_x_ = to_overlap(*from.x);
   const auto& X = scene_.mesh.mesh.coordinates;
   prescribed_.clear();
   for (const auto& p : scene_.prescribed) {
@@ -92,29 +93,37 @@ void StepProblem::build_graph() {
   ++counts_.graphs;
 }
 
-// The lists of candidates hold as long as no contact node has moved by half the reach they were made with.
+// Greatest motion of a contact node between two overlap vectors [m]; the same on all ranks.
+double StepProblem::greatest_motion(const Vector& from, const Vector& to) const {
+  const double *a = data(from), *b = data(to);
+  std::vector<double> greatest{0.0};
+  for (const auto& pair : scene_.pairs)
+    for (const auto* surface : {&pair.secondary, &pair.primary})
+      for (const auto& facet : surface->facets)
+        for (int node : facet) {
+          const int k = dofs_.local(node);
+          greatest[0] = std::max(greatest[0], std::hypot(b[k] - a[k], b[k + 1] - a[k + 1], b[k + 2] - a[k + 2]));
+        }
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
+  return greatest[0];
+}
+
+// Surfaces that did not overlap at the start of the step are apart or inside each other by no more than they have moved since.
+// The lists of candidates hold as long as the reach they were made with covers that, and both surfaces' motion since the search.
 void StepProblem::update_search(const Vector& overlap_x) {
   if (pairs_.empty()) {
     if (!matrix_) build_graph();
     return;
   }
-  double moved = 0, reach = 0;
-  for (const auto& pair : scene_.pairs) reach = std::max(reach, 0.5 * pair.size);
-  if (!search_x_.is_null()) {
-    const double *now = data(overlap_x), *then = data(*search_x_);
-    for (const auto& pair : scene_.pairs)
-      for (const auto* surface : {&pair.secondary, &pair.primary})
-        for (const auto& facet : surface->facets)
-          for (int node : facet)
-            for (int i = 0; i < 3; ++i) moved = std::max(moved, std::abs(now[dofs_.local(node) + i] - then[dofs_.local(node) + i]));
-    std::vector<double> greatest{moved};  // every rank has all contact nodes, but must decide alike to the last bit
-    all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
-    if (greatest[0] <= 0.5 * reach && matrix_) return;
-  }
+  double skin = 0;
+  for (const auto& pair : scene_.pairs) skin = std::max(skin, 0.25 * pair.size);
+  const double depth = start_x_.is_null() ? 0.0 : 2 * greatest_motion(*start_x_, overlap_x);
+  if (matrix_ && !search_x_.is_null() && depth + 2 * greatest_motion(*search_x_, overlap_x) <= reach_) return;
   const Stopwatch watch(counts_.seconds_search);
+  reach_ = 2 * skin + depth;
   std::vector<int> changed{0};
   for (auto& pair : pairs_)
-    if (pair->search(data(overlap_x), reach)) changed[0] = 1;
+    if (pair->search(data(overlap_x), reach_)) changed[0] = 1;
   search_x_ = Teuchos::rcp(new Vector(overlap_x, Teuchos::Copy));
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, changed);
   if (changed[0] || !matrix_) build_graph();
@@ -222,6 +231,7 @@ void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
   double *gap = data(*out.gap), *residual = data(*out.residual), *row = data(gap_row);
   const double *area = data(*out.area), *pressure = data(x);
   out.closed.assign(scene_.n_multipliers, 0);
+  out.covered.assign(scene_.n_multipliers, 0);
   for (const auto& pair : pairs_) {
     const ContactPair& p = pair->pair();
     for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
@@ -229,18 +239,20 @@ void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
       if (!dofs_.owned(point)) continue;
       const int at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
       const bool covered = area[at] > 1e-10 * p.tributary_area[k];
-      gap[at] = covered ? gap[at] / area[at] : 0.0;
-      const double c = covered ? std::max(normal_stiffness_[multiplier] / area[at], p.youngs_modulus / p.size) : 0.0;
-      residual[at] = covered ? complementarity(pressure[at], gap[at], c) : pressure[at];
-      // The branch is read off the derivative of the law: p - (p - c g) does not depend on p.
-      const bool closed = covered && pressure[at] - c * gap[at] > 0;
+      out.covered[multiplier] = covered;
+      identity_rows_[at] = !covered;
+      if (!covered) {
+        gap[at] = 0;
+        residual[at] = pressure[at];
+        continue;
+      }
+      gap[at] /= area[at];
+      row[at] = 1 / area[at];  // the derivative of the mean gap, with the area held
+      const double c = complementarity_constant(p, k, area[at]), law = complementarity(pressure[at], gap[at], c);
+      const bool closed = law != pressure[at];  // the branch taken is the active set
       out.closed[multiplier] = closed;
-      identity_rows_[at] = !closed;
-      if (!closed) continue;
-      // The row is divided by c: an equation between lengths, whose derivative is that of the mean gap with the area held.
-      residual[at] = gap[at];
-      row[at] = 1.0 / area[at];
-      out.gap_residual = std::max(out.gap_residual, std::abs(gap[at]));
+      residual[at] = closed ? law / c : law;  // the gap itself: an equation between lengths
+      if (closed) out.gap_residual = std::max(out.gap_residual, std::abs(gap[at]));
     }
   }
   std::vector<int> all(out.closed.begin(), out.closed.end());
@@ -248,8 +260,15 @@ void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
   for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
 }
 
-// c_n of each secondary node: its normal stiffness in the reference configuration over its covered area.
-void StepProblem::find_complementarity_constants() {
+// c_n [Pa/m]: both bodies' normal stiffness per area in series, k_I / A_I of the secondary node and E/h of the primary body, so that the
+// softer one rules. (The stiff side's own k_I / A_I would open every node of a hard indenter at the slightest residual gap.)
+double StepProblem::complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const {
+  const double secondary = std::max(normal_stiffness_[pair.first_multiplier + k] / covered_area, pair.youngs_modulus / pair.size);
+  return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
+}
+
+// Normal stiffness k_I of each secondary node in the reference configuration.
+void StepProblem::find_normal_stiffness() {
   normal_stiffness_.assign(scene_.n_multipliers, 0.0);
   Vector X(dofs_.owned_map());
   RCP<Matrix> K;
@@ -290,7 +309,7 @@ State StepProblem::initial_state() {
       for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
   if (pairs_.empty()) return state;
 
-  find_complementarity_constants();
+  find_normal_stiffness();
   const Evaluation at_rest = evaluate(*state.x);
   const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
   std::vector<int> deep(scene_.n_multipliers, 0);
@@ -305,7 +324,7 @@ State StepProblem::initial_state() {
         deep[multiplier] = 1;
         depth[multiplier] = -gap[at];
       } else if (gap[at] <= touch) {
-        x[at] = 2 * touch * std::max(normal_stiffness_[multiplier] / area[at], p.youngs_modulus / p.size);
+        x[at] = 2 * touch * complementarity_constant(p, k, area[at]);
       }
     }
   }

@@ -27,6 +27,7 @@ struct Evaluation {
   double gap_residual = 0;          ///< greatest |gap| of a closed node [m]
   double support_residual = 0;      ///< greatest distance of a supported component from where it should be [m]
   std::vector<char> closed;         ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;        ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
 };
 
@@ -49,17 +50,19 @@ class StepProblem {
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
 
-  /// Sets the time of the step to be solved: supports, loads and formulas are evaluated there.
-  /// @throws UserError (deck) when a formula gives no finite number
-  void set_time(double t);
+  /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, and surfaces are searched as
+  /// far as they move from that state, so that nothing passes through unseen.
+  /// @throws DeckError when a formula gives no finite number
+  void begin_step(const State& from, double t);
   double time() const { return time_; }
 
   Evaluation evaluate(const Vector& x);
 
-  /// Residual and tangent. The matrix belongs to the problem and holds until the next call.
+  /// Residual and tangent. The rows of all covered pressures hold the derivative of the mean gap, whichever branch the law took: the
+  /// active set chooses (`find_direction`). The matrix belongs to the problem and holds until the next call.
   Evaluation linearise(const Vector& x, RCP<Matrix>& tangent);
 
-  /// Unknowns whose row is the identity after an evaluation: supported components and open pressures. On the owned map, 1 or 0.
+  /// Unknowns whose row is the identity after an evaluation: supported components and uncovered pressures. On the owned map, 1 or 0.
   const std::vector<char>& identity_rows() const { return identity_rows_; }
 
   /// Number of times the graph was made; a direct solver repeats its analysis when it changes.
@@ -84,9 +87,11 @@ class StepProblem {
  private:
   Evaluation evaluate(const Vector& x, bool with_tangent);
   void update_search(const Vector& overlap_x);
+  double greatest_motion(const Vector& from, const Vector& to) const;
   void build_graph();
   void law(const Vector& x, Evaluation& out, Vector& gap_row);
-  void find_complementarity_constants();
+  void find_normal_stiffness();
+  double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 
   const Scene& scene_;
   DofSpace dofs_;
@@ -94,11 +99,13 @@ class StepProblem {
   std::vector<std::unique_ptr<MortarTerm>> pairs_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
+  RCP<Vector> start_x_;                  // overlap positions at the start of the step
   RCP<Vector> search_x_;                 // overlap positions of the last search
+  double reach_ = 0;                     // of the last search [m]
   double time_ = 0;
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> external_;                 // owned
-  std::vector<double> normal_stiffness_; // per multiplier, owned by this rank or 0 [N/m]
+  std::vector<double> normal_stiffness_; // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
   std::vector<char> identity_rows_;
   WorkCounts counts_;
 };

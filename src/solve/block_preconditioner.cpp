@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <cstdlib>
 
 namespace mortise {
 namespace {
@@ -44,7 +43,7 @@ RCP<Matrix> inverse_of_diagonal_blocks(const Matrix& K) {
   const auto result = Teuchos::rcp(new Matrix(K.getRowMap(), 3));
   for (const auto& [node, D] : nodes) {
     Block inverse;
-    if (std::getenv("EXP_DIAG") || !invert(D, inverse)) {
+    if (!invert(D, inverse)) {
       inverse = {};
       for (int i = 0; i < 3; ++i) inverse[i][i] = D[i][i] != 0 ? 1 / D[i][i] : 1.0;
     }
@@ -64,7 +63,7 @@ RCP<Matrix> inverse_of_diagonal_blocks(const Matrix& K) {
 BlockPreconditioner::BlockPreconditioner(const RCP<const Map>& map, GlobalIndex n_positions, int fill_level)
     : map_(map),
       blocks_(map, n_positions),
-      riluk_(fill_level, std::getenv("EXP_OV") ? std::atoi(std::getenv("EXP_OV")) : 1),
+      riluk_(fill_level, 1),
       schur_(blocks_),
       weights_(Teuchos::rcp(new Vector(map))),
       r_u_(Teuchos::rcp(new Vector(blocks_.map(0)))),
@@ -91,8 +90,10 @@ void BlockPreconditioner::weigh_rows() {
   if (blocks_.n_pressures() == 0) return;
   const Matrix& B2 = *blocks_.B2();
   Vector of_column(B2.getColMap());
-  if (const auto importer = B2.getCrsGraph()->getImporter(); importer.is_null()) of_column.update(1.0, weight_u, 0.0);
-  else of_column.doImport(weight_u, *importer, Tpetra::INSERT);
+  if (const auto importer = B2.getCrsGraph()->getImporter(); importer.is_null())
+    of_column.update(1.0, weight_u, 0.0);
+  else
+    of_column.doImport(weight_u, *importer, Tpetra::INSERT);
   {
     const auto column = of_column.getData();
     const auto local = B2.getLocalMatrixHost();
@@ -118,18 +119,7 @@ void BlockPreconditioner::apply(const MultiVector& r, MultiVector& z, Teuchos::E
       blocks_.B2()->apply(*z_u_, *r_p_, Teuchos::NO_TRANS, -1.0, 1.0);
       schur_.solve(*r_p_, *z_p_);
       blocks_.extend(1, *z_p_, *to);
-      if (std::getenv("EXP_SIMPLE")) {
-        static RCP<Matrix> D = inverse_of_diagonal_blocks(*blocks_.K());
-        Vector t(blocks_.map(0));
-        blocks_.B1()->apply(*z_p_, t);
-        D->apply(t, *z_u_, Teuchos::NO_TRANS, -1.0, 1.0);
-      }
-      if (std::getenv("EXP_LDU")) {
-        Vector t(blocks_.map(0)), s(blocks_.map(0));
-        blocks_.B1()->apply(*z_p_, t);
-        riluk_.solve(t, s);
-        z_u_->update(-1.0, s, 1.0);
-      }
+      schur_.move(*z_p_, *z_u_);
     }
     blocks_.extend(0, *z_u_, *to);
   }

@@ -19,16 +19,25 @@ MPI_Comm raw(const Comm& comm) {
   return *mpi->getRawMpiComm();
 }
 
-// Position of each unknown in the pivot order: nested dissection of the graph of groups.
-std::vector<int> pivot_order(const std::vector<int>& rows, const std::vector<int>& columns, const std::vector<int>& group) {
-  const int n_groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
-  std::vector<std::vector<idx_t>> near(n_groups);
+// Pairs of different groups that meet in the entries, each once per run of equal pairs.
+std::vector<int> pairs_of_groups(const std::vector<int>& rows, const std::vector<int>& columns, const std::vector<int>& group) {
+  std::vector<int> pairs;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const int a = group[rows[k] - 1], b = group[columns[k] - 1];
-    if (a != b) {
-      if (near[a].empty() || near[a].back() != b) near[a].push_back(b);
-      if (near[b].empty() || near[b].back() != a) near[b].push_back(a);
-    }
+    if (a == b || (!pairs.empty() && pairs[pairs.size() - 2] == a && pairs.back() == b)) continue;
+    pairs.push_back(a);
+    pairs.push_back(b);
+  }
+  return pairs;
+}
+
+// Position of each unknown in the pivot order: nested dissection of the graph of groups.
+std::vector<int> pivot_order(const std::vector<int>& pairs, const std::vector<int>& group) {
+  const int n_groups = group.empty() ? 0 : *std::max_element(group.begin(), group.end()) + 1;
+  std::vector<std::vector<idx_t>> near(n_groups);
+  for (std::size_t k = 0; k < pairs.size(); k += 2) {
+    near[pairs[k]].push_back(pairs[k + 1]);
+    near[pairs[k + 1]].push_back(pairs[k]);
   }
   std::vector<idx_t> start{0}, neighbours;
   for (auto& list : near) {
@@ -52,7 +61,10 @@ std::vector<int> pivot_order(const std::vector<int>& rows, const std::vector<int
   return position;
 }
 
-constexpr int largest_on_one_rank = 50000;
+// A pivot below this, relative to the norm of the scaled matrix, is round-off. Rigid motions leave 1e-15 on 1,000 unknowns and
+// 1e-11 on 20,000 (MUMPS' own limit of 1e-21 takes most of them for stiffness); the tip of a bar of 1,000 x 1 x 1 elements still
+// has 5e-10.
+constexpr double null_pivot = 1e-10;
 
 }  // namespace
 
@@ -73,7 +85,8 @@ struct DirectSolver::Mumps {
   int& icntl(int k) { return id.icntl[k - 1]; }
   int infog(int k) const { return id.infog[k - 1]; }
 
-  Mumps(const RCP<const Map>& m, std::vector<int> g) : map(m), group(std::move(g)), comm(raw(*m->getComm())) {
+  Mumps(const RCP<const Map>& m, std::vector<int> g, int largest_on_one_rank)
+      : map(m), group(std::move(g)), comm(raw(*m->getComm())) {
     rank = m->getComm()->getRank();
     n_ranks = m->getComm()->getSize();
     n = static_cast<int>(m->getGlobalNumElements());
@@ -112,7 +125,9 @@ struct DirectSolver::Mumps {
     for (int stream = 1; stream <= 4; ++stream) icntl(stream) = stream <= 3 ? -1 : 0;
     icntl(6) = 0;    // no permutation by values: the analysis holds for every matrix of this graph
     icntl(14) = 30;  // per cent of workspace beyond the estimate
+    icntl(13) = 1;   // the last front without ScaLAPACK, which would not find its null pivots
     icntl(24) = 1;   // null pivots are found and counted instead of divided by
+    id.cntl[2] = null_pivot;
   }
 
   // The pattern, on the rank(s) that factor.
@@ -153,6 +168,16 @@ struct DirectSolver::Mumps {
     MPI_Gatherv(local.values.data(), mine, MPI_DOUBLE, values.data(), entries_of.data(), entries_at.data(), MPI_DOUBLE, 0, comm);
   }
 
+  std::vector<int> gathered(const std::vector<int>& mine) const {  // on rank 0, in the order of ranks
+    const int size = static_cast<int>(mine.size());
+    std::vector<int> sizes(n_ranks), at(n_ranks, 0);
+    MPI_Gather(&size, 1, MPI_INT, sizes.data(), 1, MPI_INT, 0, comm);
+    for (int r = 1; r < n_ranks; ++r) at[r] = at[r - 1] + sizes[r - 1];
+    std::vector<int> all(rank == 0 ? at.back() + sizes.back() : 0);
+    MPI_Gatherv(mine.data(), size, MPI_INT, all.data(), sizes.data(), at.data(), MPI_INT, 0, comm);
+    return all;
+  }
+
   void run(int job, double& clock) {
     const double begin = Teuchos::Time::wallTime();
     if (takes_part()) {
@@ -160,11 +185,7 @@ struct DirectSolver::Mumps {
       dmumps_c(&id);
     }
     clock += Teuchos::Time::wallTime() - begin;
-    int info[3] = {id.infog[0], id.infog[1], id.infog[27]};
-    MPI_Bcast(info, 3, MPI_INT, 0, comm);
-    id.infog[0] = info[0];
-    id.infog[1] = info[1];
-    id.infog[27] = info[2];
+    MPI_Bcast(id.infog, sizeof(id.infog) / sizeof(id.infog[0]), MPI_INT, 0, comm);
   }
 
   void point_at_entries() {
@@ -183,17 +204,15 @@ struct DirectSolver::Mumps {
 
   void analyse(const Matrix& A) {
     take_pattern(A);
+    std::vector<int> pairs = pairs_of_groups(rows, columns, group);
+    if (!central) pairs = gathered(pairs);
+    if (rank == 0) order = pivot_order(pairs, group);
     if (takes_part()) {
       start();
       id.n = n;
       icntl(18) = central ? 0 : 3;
-      if (central) {
-        order = pivot_order(rows, columns, group);
-        icntl(7) = 1;
-        id.perm_in = order.data();
-      } else {
-        icntl(7) = 4;  // PORD; the ordering above would need the whole graph on one rank
-      }
+      icntl(7) = 1;
+      id.perm_in = order.data();
     }
     point_at_entries();
     run(1, seconds[0]);
@@ -201,7 +220,8 @@ struct DirectSolver::Mumps {
   }
 };
 
-DirectSolver::DirectSolver(const RCP<const Map>& map, std::vector<int> group) : mumps_(std::make_unique<Mumps>(map, std::move(group))) {}
+DirectSolver::DirectSolver(const RCP<const Map>& map, std::vector<int> group, int largest_on_one_rank)
+    : mumps_(std::make_unique<Mumps>(map, std::move(group), largest_on_one_rank)) {}
 DirectSolver::~DirectSolver() = default;
 DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
 
@@ -225,7 +245,8 @@ LinearReport DirectSolver::solve(const Matrix& A, const Vector& b, Vector& x, lo
     if (m.takes_part()) m.icntl(14) = 2 * m.icntl(14) + 20;
   }
   if (m.infog(1) < 0) {
-    report.cause = m.infog(1) == -10 ? "the tangent is singular" : fmt::format("MUMPS could not factor the matrix (error {}, {})", m.infog(1), m.infog(2));
+    report.cause = m.infog(1) == -10 ? "the tangent is singular"
+                                     : fmt::format("MUMPS could not factor the matrix (error {}, {})", m.infog(1), m.infog(2));
     return report;
   }
   report.null_pivots = m.infog(28);

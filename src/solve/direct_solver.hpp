@@ -13,7 +13,8 @@ namespace mortise {
 class DirectSolver {
  public:
   /// @param group per global unknown: unknowns of one group are eliminated next to each other
-  DirectSolver(const RCP<const Map>& map, std::vector<int> group);
+  /// @param largest_on_one_rank systems below are gathered and factored on rank 0, others on all ranks
+  DirectSolver(const RCP<const Map>& map, std::vector<int> group, int largest_on_one_rank = 50000);
   ~DirectSolver();
   DirectSolver(DirectSolver&&) noexcept;
 

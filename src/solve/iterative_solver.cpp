@@ -102,8 +102,8 @@ struct IterativeSolver::Blocks {
     const Vector& weights = preconditioner.row_weights();
     const auto rhs = Teuchos::rcp(new Vector(map)), x = Teuchos::rcp(new Vector(map));
     rhs->elementWiseMultiply(1.0, weights, r, 0.0);
-    const auto problem = Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(
-        Teuchos::rcp(new WeightedRows(A, weights)), x, rhs));
+    const auto problem =
+        Teuchos::rcp(new Belos::LinearProblem<double, MultiVector, Operator>(Teuchos::rcp(new WeightedRows(A, weights)), x, rhs));
     problem->setRightPrec(Teuchos::rcp(new UnweightedFirst(preconditioner, weights)));
     problem->setProblem();
     const auto list = Teuchos::parameterList();
@@ -150,7 +150,8 @@ struct IterativeSolver::Blocks {
       renew_residual();
     }
     if (!report.solved)
-      report.cause = fmt::format("GMRES stopped after {} iterations at |r|/|b| = {:.2e}", report.iterations, report.true_residual);
+      report.cause =
+          fmt::format("GMRES stopped after {} iterations at |r|/|b| = {:.2e}", report.iterations, report.true_residual);
   }
 };
 

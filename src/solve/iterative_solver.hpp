@@ -8,8 +8,9 @@
 
 namespace mortise {
 
-/// GMRES, preconditioned by a block lower-triangular matrix: positions by RILUK, pressures by RILUK of the Schur complement
-/// - B1 diag(K)^-1 B2 (rows of open pressures are the identity).
+/// GMRES, preconditioned by elimination of the positions: RILUK for their forces, the diagonal blocks of K for the Schur
+/// complement of the pressures (block_preconditioner.hpp). Converged when the residual, computed afresh, is below the tolerance
+/// both relative to |b| as it stands and with its rows weighted to energies.
 class IterativeSolver {
  public:
   /// @param n_positions global number of position unknowns; what follows are pressures
@@ -17,6 +18,7 @@ class IterativeSolver {
   ~IterativeSolver();
   IterativeSolver(IterativeSolver&&) noexcept;
 
+  /// Solves A x = b from x = 0; rows that hold nothing but their diagonal are solved at once.
   LinearReport solve(const Matrix& A, const Vector& b, Vector& x);
 
  private:

@@ -9,6 +9,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
+#include <Teuchos_oblackholestream.hpp>
 #include <set>
 
 #include "solve/newton_group.hpp"
@@ -68,7 +69,8 @@ class StepStatus : public NOX::StatusTest::Generic {
     if (!std::isfinite(e.force_residual) || !std::isfinite(e.gap_residual)) return fail("the residual is not a finite number");
 
     const bool settled = compare_sets(e, unwrap(group.getX()));
-    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_step_length};
+    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_linear.solves,
+                    shared_->last_step_length};
     result_.log.push_back(line);
 
     const Scene& scene = shared_->problem.scene();
@@ -164,7 +166,7 @@ Newton::Newton(StepProblem& problem, const SolverOptions& options)
 
 StepResult Newton::solve(const State& from, double t) {
   StepResult result;
-  problem_.set_time(t);
+  problem_.begin_step(from, t);
   auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
   const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
   const auto group = Teuchos::rcp(new NewtonGroup(shared, x));
@@ -180,6 +182,9 @@ StepResult Newton::solve(const State& from, double t) {
            Teuchos::RCP<NOX::LineSearch::UserDefinedFactory>(Teuchos::rcp(new StepLengthFactory(shared))));
   list->sublist("Printing").set("Output Information", 0);
   list->sublist("Printing").set("Output Processor", 0);
+  const Teuchos::RCP<std::ostream> silence = Teuchos::rcp(new Teuchos::oblackholestream);  // our own log tells what happens
+  list->sublist("Printing").set("Output Stream", silence);
+  list->sublist("Printing").set("Error Stream", silence);
   list->sublist("Printing").set("MyPID", problem_.dofs().comm()->getRank());
   list->sublist("Solver Options").set("Status Test Check Type", "Complete");
 

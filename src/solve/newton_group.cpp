@@ -82,14 +82,9 @@ NOX::Abstract::Group::ReturnType NewtonGroup::computeJacobian() {
 NOX::Abstract::Group::ReturnType NewtonGroup::computeNewton(Teuchos::ParameterList&) {
   if (!isJacobian()) return BadDependency;
   const double begin = Teuchos::Time::wallTime();
-  Vector b(unwrap(*f_), Teuchos::Copy);
-  b.scale(-1.0);
   Vector& d = unwrap(*direction_);
-  d.putScalar(0.0);
-  shared_->last_linear =
-      shared_->linear.solve(*tangent_, b, d, shared_->problem.identity_rows(), shared_->problem.graph_number());
+  shared_->last_linear = find_direction(shared_->problem, unwrap(*x_), *evaluation_, *tangent_, shared_->linear, d);
   shared_->seconds_linear += Teuchos::Time::wallTime() - begin;
-  tangent_ = Teuchos::null;  // the solve has taken known columns out of it
   has_direction_ = true;
   if (shared_->last_linear.solved) return Ok;
   d.putScalar(0.0);

@@ -6,6 +6,7 @@
 
 #include <functional>
 
+#include "solve/active_set.hpp"
 #include "solve/newton.hpp"
 
 namespace mortise {
@@ -15,7 +16,7 @@ struct NewtonShared {
   StepProblem& problem;
   LinearSolver& linear;
   double& seconds_linear;
-  LinearReport last_linear{};
+  DirectionReport last_linear{};
   bool halve_next = false;  ///< the active set has cycled: the line search takes half a step
   double last_step_length = 1;
 };

@@ -7,8 +7,8 @@
 
 namespace mortise {
 
-/// M ~ A, factored rank by rank: each rank factors its own rows and, where `overlap` > 0, those next to them, of which it keeps only
-/// its own part of the solution (restricted additive Schwarz).
+/// M ~ A, factored rank by rank: each rank factors its own rows and, where `overlap` > 0, those next to them, of which it keeps
+/// only its own part of the solution (restricted additive Schwarz).
 class Riluk {
  public:
   Riluk(int fill_level, int overlap);

@@ -9,8 +9,6 @@
 namespace mortise {
 namespace {
 
-constexpr int largest_dense = 2000;  // 32 MB and about a second of factorisation per rank
-
 bool is_zero_row(const Matrix& A, int i) {
   const auto local = A.getLocalMatrixHost();
   for (auto e = local.graph.row_map(i); e < local.graph.row_map(i + 1); ++e)
@@ -29,7 +27,8 @@ void for_each_entry(const Matrix& A, Visit visit) {
 
 }  // namespace
 
-SchurComplement::SchurComplement(const BlockSplit& blocks) : blocks_(blocks), riluk_(2, 1) {}
+SchurComplement::SchurComplement(const BlockSplit& blocks, int largest_dense)
+    : blocks_(blocks), largest_dense_(largest_dense), riluk_(2, 1) {}
 
 void SchurComplement::factor(const Matrix& D_inverse) {
   const auto n = static_cast<int>(blocks_.map(1)->getNodeNumElements());
@@ -40,22 +39,28 @@ void SchurComplement::factor(const Matrix& D_inverse) {
   open_scale_.assign(n, 1.0);
   int n_mine = 0, n_up_to_me = 0;
   for (int k = 0; k < n; ++k) {
-    if (!is_zero_row(*blocks_.B2(), k)) number_[k] = n_mine++;
-    else if (c[k] != 0) open_scale_[k] = 1.0 / c[k];
+    if (!is_zero_row(*blocks_.B2(), k))
+      number_[k] = n_mine++;
+    else if (c[k] != 0)
+      open_scale_[k] = 1.0 / c[k];
   }
   const auto& comm = *blocks_.map(1)->getComm();
   Teuchos::scan(comm, Teuchos::REDUCE_SUM, n_mine, Teuchos::outArg(n_up_to_me));
   Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, n_mine, Teuchos::outArg(n_closed_));
   for (int& number : number_)
     if (number >= 0) number += n_up_to_me - n_mine;
+  motion_ = Teuchos::null;
   if (n_closed_ == 0) return;
 
-  Matrix by_positions(blocks_.map(0), 0), product(blocks_.map(1), 0);
-  Tpetra::MatrixMatrix::Multiply(D_inverse, false, *blocks_.B1(), false, by_positions);
-  Tpetra::MatrixMatrix::Multiply(*blocks_.B2(), false, by_positions, false, product);
-  dense_ = n_closed_ <= largest_dense;
-  if (dense_) factor_dense(product);
-  else factor_sparse(product);
+  motion_ = Teuchos::rcp(new Matrix(blocks_.map(0), 0));
+  Matrix product(blocks_.map(1), 0);
+  Tpetra::MatrixMatrix::Multiply(D_inverse, false, *blocks_.B1(), false, *motion_);
+  Tpetra::MatrixMatrix::Multiply(*blocks_.B2(), false, *motion_, false, product);
+  dense_ = n_closed_ <= largest_dense_;
+  if (dense_)
+    factor_dense(product);
+  else
+    factor_sparse(product);
 }
 
 void SchurComplement::factor_dense(const Matrix& product) {
@@ -69,8 +74,10 @@ void SchurComplement::factor_dense(const Matrix& product) {
   lu_.resize(n * n);
   const auto gather = [&](const Matrix& A, double factor) {
     Vector of_column(A.getColMap());
-    if (const auto importer = A.getCrsGraph()->getImporter(); importer.is_null()) of_column.update(1.0, owned, 0.0);
-    else of_column.doImport(owned, *importer, Tpetra::INSERT);
+    if (const auto importer = A.getCrsGraph()->getImporter(); importer.is_null())
+      of_column.update(1.0, owned, 0.0);
+    else
+      of_column.doImport(owned, *importer, Tpetra::INSERT);
     const auto column = of_column.getData();
     const auto local = A.getLocalMatrixHost();
     for (std::size_t i = 0; i < number_.size(); ++i)
@@ -125,6 +132,10 @@ void SchurComplement::solve(const Vector& r, Vector& y) const {
   lapack.GETRS('N', n_closed_, 1, lu_.data(), n_closed_, pivots_.data(), all_.data(), n_closed_, &status);
   for (std::size_t k = 0; k < number_.size(); ++k)
     if (number_[k] >= 0) to[k] = all_[number_[k]];
+}
+
+void SchurComplement::move(const Vector& p, Vector& u) const {
+  if (!motion_.is_null()) motion_->apply(p, u, Teuchos::NO_TRANS, -1.0, 1.0);
 }
 
 }  // namespace mortise

@@ -26,7 +26,8 @@ CubeStiffness cube_stiffness(double edge, double youngs_modulus, double poissons
         const double dot = dN[a][0] * dN[b][0] + dN[a][1] * dN[b][1] + dN[a][2] * dN[b][2];
         for (int i = 0; i < 3; ++i)
           for (int j = 0; j < 3; ++j)
-            K[3 * a + i][3 * b + j] += JxW * (lambda * dN[a][i] * dN[b][j] + shear * dN[a][j] * dN[b][i] + (i == j ? shear * dot : 0));
+            K[3 * a + i][3 * b + j] +=
+                JxW * (lambda * dN[a][i] * dN[b][j] + shear * dN[a][j] * dN[b][i] + (i == j ? shear * dot : 0));
       }
   }
   return K;
@@ -63,7 +64,7 @@ SaddleSystem saddle_system(const SaddleOptions& o) {
   }
   const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   s.map = Teuchos::rcp(new Map(invalid, Teuchos::ArrayView<const GlobalIndex>(mine.data(), mine.size()), 0, comm));
-  s.A = Teuchos::rcp(new Matrix(s.map, 120));
+  s.A = Teuchos::rcp(new Matrix(s.map, 160));
   const auto add = [&](GlobalIndex row, GlobalIndex column, double value) {
     if (s.map->isNodeGlobalElement(row)) s.A->insertGlobalValues(row, 1, &value, &column);
   };
@@ -82,20 +83,24 @@ SaddleSystem saddle_system(const SaddleOptions& o) {
   for (GlobalIndex row : mine)
     if (row < first && held(row)) add(row, row, 1.0);
 
-  // Matching surfaces, normals that are slightly inclined so that all components take part; the gap is per unit area, the force not.
+  // Matching surfaces with a mortar's mass matrix; normals slightly inclined so that all components take part. Gaps are per unit
+  // area, forces are not, so that rows and columns of pressures differ.
   for (int k = 0; k < n_pressures; ++k) {
     const int i = k % m, j = k / m;
     const bool open = is_open(k);
     if (!open) ++s.n_closed;
-    const double area = edge * edge * (i % o.n == 0 ? 0.5 : 1.0) * (j % o.n == 0 ? 0.5 : 1.0);
     const double normal[3] = {0.1 * std::sin(i), 0.1 * std::cos(j), 1.0};
-    for (int d = 0; d < 3; ++d) {
-      const GlobalIndex upper = 3LL * node(1, i, j, 0) + d, lower = 3LL * node(0, i, j, o.n) + d;
-      add(upper, first + k, open ? 0.0 : -area * normal[d]);
-      add(lower, first + k, open ? 0.0 : area * normal[d]);
-      add(first + k, upper, open ? 0.0 : normal[d] * (1 + 0.05 * i));  // unsymmetric: not a multiple of the column
-      add(first + k, lower, open ? 0.0 : -normal[d] * (1 + 0.05 * j));
-    }
+    for (int p = std::max(0, i - 1); p <= std::min(o.n, i + 1); ++p)
+      for (int q = std::max(0, j - 1); q <= std::min(o.n, j + 1); ++q) {
+        const double weight = open ? 0.0 : (p == i ? 2.0 / 3 : 1.0 / 6) * (q == j ? 2.0 / 3 : 1.0 / 6);
+        for (int d = 0; d < 3; ++d) {
+          const GlobalIndex upper = 3LL * node(1, p, q, 0) + d, lower = 3LL * node(0, p, q, o.n) + d;
+          add(upper, first + k, -edge * edge * weight * normal[d]);
+          add(lower, first + k, edge * edge * weight * normal[d]);
+          add(first + k, upper, weight * normal[d] * (1 + 0.05 * i));
+          add(first + k, lower, -weight * normal[d] * (1 + 0.05 * j));
+        }
+      }
     add(first + k, first + k, open ? 1.0 : 0.0);
   }
   s.A->fillComplete(s.map, s.map);

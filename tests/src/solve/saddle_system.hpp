@@ -12,13 +12,13 @@ namespace mortise {
 
 /// How the blocks are cut, held and pressed together.
 struct SaddleOptions {
-  int n = 4;                    ///< elements per edge of each block
-  double size = 1;              ///< edge length of a block
+  int n = 4;        ///< elements per edge of each block
+  double size = 1;  ///< edge length of a block
   double youngs_modulus = 1;
-  bool contact = true;          ///< are there pressures at all
-  bool upper_held = true;       ///< is the upper block's top held; else it hangs on the contact alone (and on its sides' x, y)
-  bool lower_held = true;       ///< is the lower block's bottom held; if not, K is singular
-  bool spread = false;          ///< nodes dealt out along x, so that every rank has pressures; else along z: few ranks have
+  bool contact = true;     ///< are there pressures at all
+  bool upper_held = true;  ///< is the upper block's top held; else it hangs on the contact alone (and on its sides' x, y)
+  bool lower_held = true;  ///< is the lower block's bottom held; if not, K is singular
+  bool spread = false;     ///< nodes dealt out along x, so that every rank has pressures; else along z: few ranks have
   std::function<bool(int, int)> open = [](int i, int j) { return (i + j) % 3 == 0; };  ///< which pressures are open
 };
 
