@@ -116,15 +116,15 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, double
         for (int j = 0; j < 3; ++j) f[dofs_.local(nodes[b]) + j] += normal_gradient_[k][i][b][j] * load_[k][i];
     Facet& facet = facets_[first_facet_[k]];
     if (!with_tangent || dot(load_[k], load_[k]) == 0) continue;
-    const int n = 3 * static_cast<int>(nodes.size()), width = 3 * (facet.n_patch + facet.n_primary) + 4;
-    if (facet.matrix.empty()) facet.matrix.assign(static_cast<std::size_t>(width) * width, 0.0);
+    const int n = 3 * static_cast<int>(nodes.size());
+    if (facet.matrix.empty()) facet.matrix.assign((width(facet) + 4) * width(facet), 0.0);
     std::vector<double> H(static_cast<std::size_t>(n) * n, 0.0);
     add_normal_curvature(patches_[k], patch_x_[k], load_[k], H);
     std::vector<int> at;
     for (int node : nodes) at.push_back(position_of(facet.points, 0, node));
     for (int r = 0; r < n; ++r)
       for (int c = 0; c < n; ++c)
-        facet.matrix[static_cast<std::size_t>(3 * at[r / 3] + r % 3) * width + 3 * at[c / 3] + c % 3] += H[static_cast<std::size_t>(r) * n + c];
+        facet.matrix[(3 * at[r / 3] + r % 3) * width(facet) + 3 * at[c / 3] + c % 3] += H[static_cast<std::size_t>(r) * n + c];
   }
 }
 
@@ -139,7 +139,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
-  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes.
+  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows of covered areas.
   const int n_local = 28 + 3 * facet.n_primary;
   std::vector<double> K;
   facet.matrix.clear();
@@ -170,7 +170,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       }
     }
     if (!with_tangent) continue;
-    if (K.empty()) K.assign(static_cast<std::size_t>(n_local) * n_local, 0.0);
+    if (K.empty()) K.assign(static_cast<std::size_t>(n_local + 4) * n_local, 0.0);
     int at[40];
     for (int c = 0; c < 12; ++c) {
       at[c] = c;
@@ -180,6 +180,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
     for (int c = 0; c < 4; ++c) at[36 + c] = 24 + c;
     for (int r = 0; r < 40; ++r)
       for (int c = 0; c < 40; ++c) K[static_cast<std::size_t>(at[r]) * n_local + at[c]] += pair.d[r][c];
+    for (int I = 0; I < 4; ++I)
+      for (int c = 0; c < 36; ++c) K[static_cast<std::size_t>(n_local + I) * n_local + at[c]] += pair.d_area[I][c];
   }
   if (!K.empty()) chain_normals(facet, K, n_local);
 
@@ -194,7 +196,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
 }
 
 void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const {
-  const int n_patch = facet.n_patch, width = 3 * (n_patch + facet.n_primary) + 4;
+  const int n_patch = facet.n_patch, width = static_cast<int>(this->width(facet));
   const auto column = [&](int z) {  // of every local column that is not a normal
     if (z < 12) return z;
     if (z < 28) return 3 * (n_patch + facet.n_primary) + z - 24;
@@ -204,8 +206,8 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
   for (int I = 0; I < 4; ++I)
     for (int node : patches_[facet.corner[I]].nodes) patch_at[I].push_back(position_of(facet.points, 0, node));
 
-  std::vector<double> half(static_cast<std::size_t>(n_local) * width, 0.0);
-  for (int r = 0; r < n_local; ++r) {
+  std::vector<double> half(static_cast<std::size_t>(n_local + 4) * width, 0.0);
+  for (int r = 0; r < n_local + 4; ++r) {
     const double* from = &K[static_cast<std::size_t>(r) * n_local];
     double* to = &half[static_cast<std::size_t>(r) * width];
     for (int z = 0; z < n_local; ++z)
@@ -218,7 +220,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
           for (int j = 0; j < 3; ++j) to[3 * patch_at[I][b] + j] += factor * gradient[b][j];
       }
   }
-  facet.matrix.assign(static_cast<std::size_t>(width) * width, 0.0);
+  facet.matrix.assign(static_cast<std::size_t>(width + 4) * width, 0.0);
   const auto add_row = [&](int to_row, double factor, int from_row) {
     double* to = &facet.matrix[static_cast<std::size_t>(to_row) * width];
     const double* from = &half[static_cast<std::size_t>(from_row) * width];
@@ -226,6 +228,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
   };
   for (int z = 0; z < n_local; ++z)
     if (z < 12 || z >= 24) add_row(column(z), 1.0, z);
+  for (int I = 0; I < 4; ++I) add_row(width + I, 1.0, n_local + I);
   for (int I = 0; I < 4; ++I)
     for (int i = 0; i < 3; ++i) {
       const auto& gradient = normal_gradient_[facet.corner[I]][i];
@@ -234,16 +237,18 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
     }
 }
 
-void MortarTerm::add_tangent(const double* gap_row, SystemMatrix& K) const {
+void MortarTerm::add_tangent(const double* gap_row, const double* area_row, SystemMatrix& K) const {
   std::vector<double> scaled;
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     const Facet& facet = facets_[k];
     if (facet.matrix.empty()) continue;
-    scaled = facet.matrix;
-    const std::size_t width = 3 * (facet.n_patch + facet.n_primary) + 4;
-    for (int a = 0; a < 4; ++a) {
-      const double factor = gap_row[dofs_.local(pressure_point(facet.corner[a]))];
-      for (std::size_t c = 0; c < width; ++c) scaled[(width - 4 + a) * width + c] *= factor;
+    const std::size_t n = width(facet);
+    scaled.assign(facet.matrix.begin(), facet.matrix.begin() + n * n);
+    for (int I = 0; I < 4; ++I) {
+      const int pressure = dofs_.local(pressure_point(facet.corner[I]));
+      double* row = &scaled[(n - 4 + I) * n];
+      const double* area = &facet.matrix[(n + I) * n];
+      for (std::size_t c = 0; c < n; ++c) row[c] = gap_row[pressure] * row[c] + area_row[pressure] * area[c];
     }
     K.add(first_cell_ + k, scaled.data());
   }

@@ -35,8 +35,9 @@ class MortarTerm {
   /// weighted gap [m^3] and covered area [m^2]; and the contact force to the rows of the nodes in `f`.
   void integrate(const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
 
-  /// Adds the tangent. @param gap_row factor of each weighted-gap row (overlap, at the pressures' indices): 0 for open nodes
-  void add_tangent(const double* gap_row, SystemMatrix& K) const;
+  /// Adds the tangent; the row of a pressure is  gap_row d(weighted gap) + area_row d(covered area).
+  /// @param gap_row, area_row factors (overlap, at the pressures' indices)
+  void add_tangent(const double* gap_row, const double* area_row, SystemMatrix& K) const;
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }
@@ -58,11 +59,12 @@ class MortarTerm {
     std::vector<int> points;           // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
-    std::vector<double> matrix;        // last tangent over the unknowns of `points`
+    std::vector<double> matrix;        // last tangent over the unknowns of `points`, then 4 rows of the covered areas
   };
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
-  void chain_normals(Facet& facet, const std::vector<double>& K, int n_rows) const;
+  void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;
+  std::size_t width(const Facet& facet) const { return 3 * static_cast<std::size_t>(facet.n_patch + facet.n_primary) + 4; }
   Vec3<double> position(const double* x, int node) const {
     const double* q = x + dofs_.local(node);
     return {q[0], q[1], q[2]};

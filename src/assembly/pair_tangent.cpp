@@ -69,6 +69,11 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
       integrals.M[I][J] = pull(planar.M[I][J]);
     }
   }
+  for (int I = 0; I < 4; ++I)
+    for (int c = 0; c < 36; ++c) {
+      const auto& D = integrals.D[I];
+      out.d_area[I][c] = D[0].fastAccessDx(c) + D[1].fastAccessDx(c) + D[2].fastAccessDx(c) + D[3].fastAccessDx(c);
+    }
   const auto x = relative(input, plane);
   std::array<Vec3<Fad>, 8> x_ad;
   std::array<Vec3<Fad>, 4> n_ad;

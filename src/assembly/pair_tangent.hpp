@@ -23,6 +23,7 @@ struct PairOutput {
 /// Rows and their derivatives; columns: 24 positions, 12 normal components, 4 pressures.
 struct PairTangent : PairOutput {
   double d[40][40];
+  double d_area[4][36];  ///< derivative of the covered areas; pressures have no part in it
 };
 
 /// @return false if the facets do not overlap (all shares are zero then)

@@ -179,8 +179,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.residual->update(1.0, *out.contact, -1.0, *external_, 1.0);
 
   identity_rows_.assign(dofs_.n_owned(), 0);
-  Vector gap_row(dofs_.owned_map());
-  if (!pairs_.empty()) law(x, out, gap_row);
+  Vector gap_row(dofs_.owned_map()), area_row(dofs_.owned_map());
+  if (!pairs_.empty()) law(x, out, gap_row, area_row);
 
   std::vector<double> greatest{0, out.gap_residual};
   {
@@ -210,8 +210,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   if (with_tangent) {
     {
       const Stopwatch watch(counts_.seconds_contact);
-      const auto overlap_rows = to_overlap(gap_row);
-      for (auto& pair : pairs_) pair->add_tangent(data(*overlap_rows), *matrix_);
+      const auto gap_factors = to_overlap(gap_row), area_factors = to_overlap(area_row);
+      for (auto& pair : pairs_) pair->add_tangent(data(*gap_factors), data(*area_factors), *matrix_);
     }
     const Stopwatch watch(counts_.seconds_assembly);
     tangent_ = matrix_->assemble();
@@ -227,8 +227,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   return out;
 }
 
-void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
-  double *gap = data(*out.gap), *residual = data(*out.residual), *row = data(gap_row);
+void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row, Vector& area_row) {
+  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row);
   const double *area = data(*out.area), *pressure = data(x);
   out.closed.assign(scene_.n_multipliers, 0);
   out.covered.assign(scene_.n_multipliers, 0);
@@ -247,7 +247,9 @@ void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row) {
         continue;
       }
       gap[at] /= area[at];
-      row[at] = 1 / area[at];  // the derivative of the mean gap, with the area held
+      // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
+      d_gap[at] = 1 / area[at];
+      d_area[at] = -gap[at] / area[at];
       const double c = complementarity_constant(p, k, area[at]), law = complementarity(pressure[at], gap[at], c);
       const bool closed = law != pressure[at];  // the branch taken is the active set
       out.closed[multiplier] = closed;

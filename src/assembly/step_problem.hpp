@@ -89,7 +89,7 @@ class StepProblem {
   void update_search(const Vector& overlap_x);
   double greatest_motion(const Vector& from, const Vector& to) const;
   void build_graph();
-  void law(const Vector& x, Evaluation& out, Vector& gap_row);
+  void law(const Vector& x, Evaluation& out, Vector& gap_row, Vector& area_row);
   void find_normal_stiffness();
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 

@@ -45,8 +45,12 @@ void element_tangent(benchmark::State& state) {
 
 BENCHMARK(element_residual)->Unit(benchmark::kMicrosecond);
 BENCHMARK(element_tangent<analytic_tangent>)->Name("element_tangent/by_hand")->Unit(benchmark::kMicrosecond);
-BENCHMARK(element_tangent<quadrature_point_tangent<NeoHookean>>)->Name("element_tangent/quadrature_points")->Unit(benchmark::kMicrosecond);
-BENCHMARK(element_tangent<whole_element_tangent<NeoHookean>>)->Name("element_tangent/whole_element")->Unit(benchmark::kMicrosecond);
+BENCHMARK(element_tangent<quadrature_point_tangent<NeoHookean>>)
+    ->Name("element_tangent/quadrature_points")
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(element_tangent<whole_element_tangent<NeoHookean>>)
+    ->Name("element_tangent/whole_element")
+    ->Unit(benchmark::kMicrosecond);
 
 const std::vector<PairInput>& pairs() {
   static const auto all = [] {
@@ -73,7 +77,14 @@ void pair(benchmark::State& state) {
 }
 
 BENCHMARK(pair<PairOutput, pair_values>)->Name("pair_values")->Arg(5)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pair<PairTangent, pair_tangent>)->Name("pair_tangent")->Arg(4)->Arg(5)->Arg(6)->Arg(8)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(pair<PairTangent, pair_tangent>)
+    ->Name("pair_tangent")
+    ->Arg(4)
+    ->Arg(5)
+    ->Arg(6)
+    ->Arg(8)
+    ->MinTime(0.3)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace mortise::test

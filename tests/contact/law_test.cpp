@@ -11,9 +11,9 @@ namespace {
 constexpr double c = 40;  // complementarity constant
 
 TEST(Complementarity, IsZeroExactlyWhereSignorinisConditionsHold) {
-  EXPECT_EQ(complementarity(0.0, 0.3, c), 0);  // open
-  EXPECT_EQ(complementarity(5.0, 0.0, c), 0);  // closed
-  EXPECT_EQ(complementarity(0.0, 0.0, c), 0);  // touching
+  EXPECT_EQ(complementarity(0.0, 0.3, c), 0);   // open
+  EXPECT_EQ(complementarity(5.0, 0.0, c), 0);   // closed
+  EXPECT_EQ(complementarity(0.0, 0.0, c), 0);   // touching
   EXPECT_NE(complementarity(5.0, 0.3, c), 0);   // pressure across a gap
   EXPECT_NE(complementarity(0.0, -0.3, c), 0);  // penetration
   EXPECT_NE(complementarity(-5.0, 0.0, c), 0);  // adhesion
@@ -21,9 +21,9 @@ TEST(Complementarity, IsZeroExactlyWhereSignorinisConditionsHold) {
 }
 
 TEST(Complementarity, IsTheGapOnOneSideOfTheKinkAndThePressureOnTheOther) {
-  EXPECT_DOUBLE_EQ(complementarity(5.0, 0.1, c), c * 0.1);   // p - c g = 1
+  EXPECT_DOUBLE_EQ(complementarity(5.0, 0.1, c), c * 0.1);  // p - c g = 1
   EXPECT_DOUBLE_EQ(complementarity(5.0, -0.1, c), -c * 0.1);
-  EXPECT_DOUBLE_EQ(complementarity(5.0, 0.2, c), 5);         // p - c g = -3
+  EXPECT_DOUBLE_EQ(complementarity(5.0, 0.2, c), 5);  // p - c g = -3
   EXPECT_DOUBLE_EQ(complementarity(-5.0, 0.2, c), -5);
 }
 

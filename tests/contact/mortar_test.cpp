@@ -87,8 +87,8 @@ TEST(InverseBilinear, WorksOnFacetsOfEitherOrientation) {
   EXPECT_NEAR(back.y, 0.6, 1e-15);
 }
 
-/// The map of a facet with a reflex corner folds over near that corner: points have two sources, one of them inside the unit square
-/// and not turned over. Case A10.
+/// The map of a facet with a reflex corner folds over near that corner: points have two sources, one of them inside the unit
+/// square and not turned over. Case A10.
 TEST(InverseBilinear, StaysInsideFacetsWithAReflexCorner) {
   Random random(2);
   int n_points = 0;
@@ -105,7 +105,8 @@ TEST(InverseBilinear, StaysInsideFacetsWithAReflexCorner) {
       a = 1 - a;
       b = 1 - b;
     }
-    const Vec2<double> x{v[0].x + a * (v[1].x - v[0].x) + b * (v[2].x - v[0].x), v[0].y + a * (v[1].y - v[0].y) + b * (v[2].y - v[0].y)};
+    const Vec2<double> x{v[0].x + a * (v[1].x - v[0].x) + b * (v[2].x - v[0].x),
+                         v[0].y + a * (v[1].y - v[0].y) + b * (v[2].y - v[0].y)};
     const auto source = inverse_bilinear(q, x);
     const auto N = bilinear_shape(source.x, source.y);
     Vec2<double> image{0, 0};
@@ -199,7 +200,8 @@ TEST(MortarIntegrals, VanishWithoutNansWhereFacetsOnlyTouch) {  // case A6
 /// Matching meshes whose nodes are off by a little meet in slivers of round-off as well, which must not spoil D and M; and their
 /// crossings lie anywhere along an edge, which only the error of the quadrature may notice.
 TEST(MortarIntegrals, HardlyChangeWhenMatchingNodesAreSlightlyOff) {
-  const auto row_of_facet = [](double noise, unsigned seed, int degree) {  // D and M of the middle facet of 3 x 3 with all 9 others
+  const auto row_of_facet = [](double noise, unsigned seed,
+                               int degree) {  // D and M of the middle facet of 3 x 3 with all 9 others
     Random random(seed), shape(7);
     auto mesh = square(3, 0, 3);
     for (auto& p : mesh.x) p = p + shape.vector(0.06);

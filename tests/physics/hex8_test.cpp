@@ -17,10 +17,22 @@ namespace {
 using Points = std::array<std::array<double, 3>, 8>;
 
 /// The distorted brick of the references and a deformed state of it: strains of some 20 %.
-const Points distorted{{{0.05, -0.02, 0.03}, {1.1, 0.04, -0.05}, {0.97, 1.08, 0.06}, {-0.06, 0.93, 0.02},
-                        {0.02, 0.07, 0.95}, {0.94, -0.03, 1.09}, {1.06, 1.02, 1.04}, {0.03, 1.05, 0.9}}};
-const Points deformed{{{0.07, -0.05, 0.08}, {1.21, 0.1, -0.09}, {0.9, 1.2, 0.15}, {-0.02, 0.85, 0.15},
-                       {-0.1, 0.12, 1.05}, {1.02, -0.14, 1.16}, {1.2, 1.05, 0.98}, {-0.02, 1.14, 1.05}}};
+const Points distorted{{{0.05, -0.02, 0.03},
+                        {1.1, 0.04, -0.05},
+                        {0.97, 1.08, 0.06},
+                        {-0.06, 0.93, 0.02},
+                        {0.02, 0.07, 0.95},
+                        {0.94, -0.03, 1.09},
+                        {1.06, 1.02, 1.04},
+                        {0.03, 1.05, 0.9}}};
+const Points deformed{{{0.07, -0.05, 0.08},
+                       {1.21, 0.1, -0.09},
+                       {0.9, 1.2, 0.15},
+                       {-0.02, 0.85, 0.15},
+                       {-0.1, 0.12, 1.05},
+                       {1.02, -0.14, 1.16},
+                       {1.2, 1.05, 0.98},
+                       {-0.02, 1.14, 1.05}}};
 
 struct Response {
   bool admissible = true;
@@ -94,7 +106,8 @@ TEST(Hex8, PassesThePatchTestOnADistortedMesh) {
     Points X, x;
     int at_middle = -1;
     for (int a = 0; a < 8; ++a) {
-      const int i = e % 2 + (Hex8::corner[a][0] > 0), j = e / 2 % 2 + (Hex8::corner[a][1] > 0), k = e / 4 + (Hex8::corner[a][2] > 0);
+      const int i = e % 2 + (Hex8::corner[a][0] > 0), j = e / 2 % 2 + (Hex8::corner[a][1] > 0),
+                k = e / 4 + (Hex8::corner[a][2] > 0);
       X[a] = place(i, j, k);
       if (i == 1 && j == 1 && k == 1) at_middle = a;
       for (int c = 0; c < 3; ++c) x[a][c] = F[c][0] * X[a][0] + F[c][1] * X[a][1] + F[c][2] * X[a][2];
@@ -238,7 +251,9 @@ void expect_reference_values(const M& material, const std::string& name) {
   for (int k = 0; k < 576; ++k) EXPECT_NEAR(r.K[k], K[k], 1e-12 * largest(K));
 }
 
-TEST(Hex8, HasTheReferenceValuesWithSaintVenantKirchhoff) { expect_reference_values(SaintVenantKirchhoff::from({2250, 0.3}), "svk"); }
+TEST(Hex8, HasTheReferenceValuesWithSaintVenantKirchhoff) {
+  expect_reference_values(SaintVenantKirchhoff::from({2250, 0.3}), "svk");
+}
 
 TEST(Hex8, HasTheReferenceValuesWithNeoHooke) { expect_reference_values(NeoHookean::from({2250, 0.3}), "neo_hooke"); }
 

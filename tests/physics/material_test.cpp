@@ -89,8 +89,11 @@ TYPED_TEST(EveryMaterial, HasAStressThatTurnsWithSpace) {
 }
 
 TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
-  const auto energy = [this](const std::vector<double>& F) { return std::vector<double>{this->material.strain_energy(tensor(F))}; };
-  for (const auto& F : some_deformations()) EXPECT_TRUE(is_derivative(entries(this->material.first_piola(F)), energy, entries(F)));
+  const auto energy = [this](const std::vector<double>& F) {
+    return std::vector<double>{this->material.strain_energy(tensor(F))};
+  };
+  for (const auto& F : some_deformations())
+    EXPECT_TRUE(is_derivative(entries(this->material.first_piola(F)), energy, entries(F)));
 }
 
 TYPED_TEST(EveryMaterial, HasModuliThatAreTheDerivativeOfItsStress) {
@@ -113,7 +116,8 @@ TYPED_TEST(EveryMaterial, IsHookeAtSmallStrain) {
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l)
-          EXPECT_NEAR(A[9 * (3 * i + j) + 3 * k + l], lambda * (i == j) * (k == l) + mu * ((i == k) * (j == l) + (i == l) * (j == k)),
+          EXPECT_NEAR(A[9 * (3 * i + j) + 3 * k + l],
+                      lambda * (i == j) * (k == l) + mu * ((i == k) * (j == l) + (i == l) * (j == k)),
                       1e-14 * 2 * mu + 1e-14 * lambda);
 }
 

@@ -97,13 +97,15 @@ inline std::array<Quad<double>, 2> quads(const double* y) {
   return both;
 }
 
-/// A convex quadrilateral about (cx, cy): a square of edge `size`, its corners moved by up to `distortion` edges, turned at random.
+/// A convex quadrilateral about (cx, cy): a square of edge `size`, its corners moved by up to `distortion` edges, turned at
+/// random.
 inline Quad<double> random_quad(Random& random, double cx, double cy, double size, double distortion) {
   const double angle = random.in(0, 6.283), c = std::cos(angle), s = std::sin(angle);
   constexpr double corner[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   Quad<double> q;
   for (int a = 0; a < 4; ++a) {
-    const double x = size * (corner[a][0] + random.in(-distortion, distortion)), y = size * (corner[a][1] + random.in(-distortion, distortion));
+    const double x = size * (corner[a][0] + random.in(-distortion, distortion)),
+                 y = size * (corner[a][1] + random.in(-distortion, distortion));
     q[a] = {cx + c * x - s * y, cy + s * x + c * y};
   }
   return q;

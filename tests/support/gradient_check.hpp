@@ -21,12 +21,14 @@ struct GradientCheck {
   int n_directions = 3;
 };
 
-/// Compares `jacobian` (row-major, values x inputs) with central differences of `f` at x along random directions, at steps h, h/2,
-/// h/4 ... until round-off drowns them. Passes if each halving divides the error by four: a wrong derivative leaves an error that stays.
-inline ::testing::AssertionResult is_derivative(const std::vector<double>& jacobian, const ManyToMany& f, const std::vector<double>& x,
-                                                const GradientCheck& check = {}) {
+/// Compares `jacobian` (row-major, values x inputs) with central differences of `f` at x along random directions, at steps h,
+/// h/2, h/4 ... until round-off drowns them. Passes if each halving divides the error by four: a wrong derivative leaves an error
+/// that stays.
+inline ::testing::AssertionResult is_derivative(const std::vector<double>& jacobian, const ManyToMany& f,
+                                                const std::vector<double>& x, const GradientCheck& check = {}) {
   const std::size_t n = x.size(), m = f(x).size();
-  if (jacobian.size() != m * n) return ::testing::AssertionFailure() << "the Jacobian has " << jacobian.size() << " entries, not " << m * n;
+  if (jacobian.size() != m * n)
+    return ::testing::AssertionFailure() << "the Jacobian has " << jacobian.size() << " entries, not " << m * n;
   Random random(1);
   for (int direction = 0; direction < check.n_directions; ++direction) {
     std::vector<double> d(n), claimed(m, 0.0);
@@ -58,8 +60,9 @@ inline ::testing::AssertionResult is_derivative(const std::vector<double>& jacob
       best = std::min(best, error);
       if (error < 10 * noise) break;
       if (last > 0 && h < 0.4 * check.first_step && !(last / error > 3 && last / error < 5))
-        return ::testing::AssertionFailure() << "from step " << 2 * h << " to " << h << " the error goes from " << last << " to " << error
-                                             << ", a factor " << last / error << " and not 4 (derivative " << size << ")";
+        return ::testing::AssertionFailure()
+               << "from step " << 2 * h << " to " << h << " the error goes from " << last << " to " << error << ", a factor "
+               << last / error << " and not 4 (derivative " << size << ")";
       last = error;
     }
     if (!(best <= check.relative_error * size + 1e-300))

@@ -6,8 +6,9 @@
 
 namespace mortise::test {
 
-/// A secondary facet near the plane z = 0 with noisy nodal normals and a primary facet over it, turned and shifted so that the overlap
-/// has 3 to 8 corners. Edges are about 1, nodes are off by `distortion`, gaps of either sign up to 0.05; all turned at random.
+/// A secondary facet near the plane z = 0 with noisy nodal normals and a primary facet over it, turned and shifted so that the
+/// overlap has 3 to 8 corners. Edges are about 1, nodes are off by `distortion`, gaps of either sign up to 0.05; all turned at
+/// random.
 inline PairInput random_pair(Random& random, double distortion = 0.06) {
   constexpr double corner[4][2] = {{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}};
   PairInput input;

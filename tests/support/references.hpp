@@ -9,7 +9,9 @@
 
 namespace mortise::test {
 
-inline std::string reference_path(const std::string& name) { return std::string(MORTISE_SOURCE_DIR) + "/../shared/references/" + name; }
+inline std::string reference_path(const std::string& name) {
+  return std::string(MORTISE_SOURCE_DIR) + "/../shared/references/" + name;
+}
 
 inline bool have_reference(const std::string& name) { return std::filesystem::exists(reference_path(name)); }
 

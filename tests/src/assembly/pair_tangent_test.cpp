@@ -135,7 +135,8 @@ TEST(PairTangent, TurnsWithSpace) {
   }
 }
 
-/// A facet in the middle of a curved surface meets a primary facet; the force that turns the normals acts on the patches round its nodes.
+/// A facet in the middle of a curved surface meets a primary facet; the force that turns the normals acts on the patches round
+/// its nodes.
 TEST(PairForce, HasNoResultantAndNoMomentOnceTheNormalsTurn) {
   Random random(6);
   double worst_force = 0, worst_moment = 0, moment_without = 0;
