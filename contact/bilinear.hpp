@@ -14,9 +14,9 @@ std::array<T, 4> bilinear_shape(const T& s, const T& t) {
   return {T(s1 * t1), T(s * t1), T(s * t), T(s1 * t)};
 }
 
-/// Local coordinates of `point` in a facet of either orientation, on values: the root of  A s^2 + B s + C = 0  at which the Jacobian
-/// of the map, R = B + 2 A s, has the sign of the facet's area. Every point of a facet, reflex corner or not, has just one such source
-/// inside the unit square. No iteration.
+/// Local coordinates of `point` in a facet of either orientation, on values: the root of  A s^2 + B s + C = 0  at which the
+/// Jacobian of the map, R = B + 2 A s, has the sign of the facet's area. Every point of a facet, reflex corner or not, has just
+/// one such source inside the unit square. No iteration.
 inline Vec2<double> inverse_bilinear(const Quad<double>& x, const Vec2<double>& point) {
   const auto r = point - x[0], b = x[1] - x[0], c = x[3] - x[0];
   const Vec2<double> d = (x[2] - x[3]) - b;
@@ -28,8 +28,8 @@ inline Vec2<double> inverse_bilinear(const Quad<double>& x, const Vec2<double>& 
   return {s, t};
 }
 
-/// Shape functions of the facet at `point`. For AD types the values are solved for in double, then one Newton step with the double
-/// 2 x 2 matrix is taken in T: by the implicit function theorem that step carries the exact derivative.
+/// Shape functions of the facet at `point`. For AD types the values are solved for in double, then one Newton step with the
+/// double 2 x 2 matrix is taken in T: by the implicit function theorem that step carries the exact derivative.
 template <class T>
 std::array<T, 4> shape_at(const Quad<T>& x, const Vec2<T>& point) {
   const Quad<double> x0{value(x[0]), value(x[1]), value(x[2]), value(x[3])};
@@ -40,12 +40,30 @@ std::array<T, 4> shape_at(const Quad<T>& x, const Vec2<T>& point) {
     const auto N = bilinear_shape(s, t);
     const T rx = point.x - (N[0] * x[0].x + N[1] * x[1].x + N[2] * x[2].x + N[3] * x[3].x);
     const T ry = point.y - (N[0] * x[0].y + N[1] * x[1].y + N[2] * x[2].y + N[3] * x[3].y);
-    const double xs = (1 - t) * (x0[1].x - x0[0].x) + t * (x0[2].x - x0[3].x), ys = (1 - t) * (x0[1].y - x0[0].y) + t * (x0[2].y - x0[3].y);
-    const double xt = (1 - s) * (x0[3].x - x0[0].x) + s * (x0[2].x - x0[1].x), yt = (1 - s) * (x0[3].y - x0[0].y) + s * (x0[2].y - x0[1].y);
+    const double xs = (1 - t) * (x0[1].x - x0[0].x) + t * (x0[2].x - x0[3].x),
+                 ys = (1 - t) * (x0[1].y - x0[0].y) + t * (x0[2].y - x0[3].y);
+    const double xt = (1 - s) * (x0[3].x - x0[0].x) + s * (x0[2].x - x0[1].x),
+                 yt = (1 - s) * (x0[3].y - x0[0].y) + s * (x0[2].y - x0[1].y);
     const double det = xs * yt - xt * ys;
     const T ss = s + (yt * rx - xt * ry) / det, tt = t + (xs * ry - ys * rx) / det;
     return bilinear_shape(ss, tt);
   }
+}
+
+/// int N_a da over a whole facet [m^2], exact.
+inline std::array<double, 4> facet_weights(const Quad<double>& x) {
+  std::array<double, 4> weights{};
+  constexpr double r = 0.21132486540518711775;  // (1 - 1/sqrt(3)) / 2
+  for (const double s : {r, 1 - r})
+    for (const double t : {r, 1 - r}) {
+      const auto ds = x[1] - x[0], dt = x[3] - x[0];
+      const Vec2<double> twist = (x[2] - x[3]) - ds;
+      const Vec2<double> along_s{ds.x + t * twist.x, ds.y + t * twist.y}, along_t{dt.x + s * twist.x, dt.y + s * twist.y};
+      const double area = 0.25 * cross(along_s, along_t);
+      const auto N = bilinear_shape(s, t);
+      for (int a = 0; a < 4; ++a) weights[a] += N[a] * area;
+    }
+  return weights;
 }
 
 }  // namespace mortise

@@ -19,8 +19,9 @@ struct MortarIntegrals {
   T M[4][4];
 };
 
-/// Area centroid of a polygon: the fan about it keeps D and M continuous when vertices appear. Where matching edges meet there are
-/// slivers made of round-off, whose centroid could lie anywhere: there the mean of the vertices serves. @return false if it has no area
+/// Area centroid of a polygon: the fan about it keeps D and M continuous when vertices appear. Where matching edges meet there
+/// are slivers made of round-off, whose centroid could lie anywhere: there the mean of the vertices serves. @return false if it
+/// has no area
 template <class T>
 bool area_centroid(const Polygon<T>& p, Vec2<T>& centroid) {
   constexpr double sliver = 1e-12;  // area over squared extent; round-off makes 1e-16
@@ -33,7 +34,8 @@ bool area_centroid(const Polygon<T>& p, Vec2<T>& centroid) {
     area += w;
     mx += w * (a.x + b.x);
     my += w * (a.y + b.y);
-    extent2 = std::max({extent2, value(a.x) * value(a.x) + value(a.y) * value(a.y), value(b.x) * value(b.x) + value(b.y) * value(b.y)});
+    extent2 =
+        std::max({extent2, value(a.x) * value(a.x) + value(a.y) * value(a.y), value(b.x) * value(b.x) + value(b.y) * value(b.y)});
   }
   if (!(value(area) > 0)) return false;
   if (value(area) > sliver * extent2) {
@@ -51,8 +53,8 @@ bool area_centroid(const Polygon<T>& p, Vec2<T>& centroid) {
 
 /// Adds the integrals over one polygon of the overlap, a fan of triangles about its centroid.
 template <class T>
-void add_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad<T>& primary, const std::vector<TrianglePoint>& rule,
-                 MortarIntegrals<T>& sum) {
+void add_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad<T>& primary,
+                 const std::vector<TrianglePoint>& rule, MortarIntegrals<T>& sum) {
   Vec2<T> c;
   if (!area_centroid(polygon, c)) return;
   for (int k = 0; k < polygon.n; ++k) {

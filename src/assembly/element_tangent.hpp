@@ -24,7 +24,8 @@ void stress_and_moduli(const Material& material, const Tensor3<double>& F, Tenso
   }
 }
 
-/// Adds the share of one Gauss point to the element tangent: K_ai,bk += grad_N_a,J A_iJkL grad_N_b,L JxW  [N/m], 24 x 24 row-major.
+/// Adds the share of one Gauss point to the element tangent: K_ai,bk += grad_N_a,J A_iJkL grad_N_b,L JxW  [N/m], 24 x 24
+/// row-major.
 inline void add_moduli(const double A[9][9], const double grad_N[8][3], double JxW, double* K) {
   for (int b = 0; b < 8; ++b) {
     double T[9][3];
@@ -42,7 +43,8 @@ inline void add_moduli(const double A[9][9], const double grad_N[8][3], double J
 /// Element internal force f [N] and tangent K = df/dq [N/m] by AD at the quadrature points (9 directions): the default.
 /// Both are added to. @return false for an inadmissible state
 template <class Material>
-bool quadrature_point_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3], double* K) {
+bool quadrature_point_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3],
+                              double* K) {
   for (int g = 0; g < Hex8::n_points; ++g) {
     const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], q);
     if (!(det(F) > 0)) return false;
@@ -57,7 +59,8 @@ bool quadrature_point_tangent(const Material& material, const Hex8Geometry& geom
 
 /// The same by AD of the whole element (24 directions): the cross-check.
 template <class Material>
-bool whole_element_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3], double* K) {
+bool whole_element_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3],
+                           double* K) {
   using Fad = Sacado::Fad::SFad<double, 24>;
   Fad q_ad[8][3], f_ad[8][3];
   for (int k = 0; k < 24; ++k) {

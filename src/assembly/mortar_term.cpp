@@ -89,7 +89,7 @@ std::vector<Vec3<double>> MortarTerm::normals(const double* x) const {
   return n;
 }
 
-void MortarTerm::integrate(const double* x, bool with_tangent, double* f, double* weighted_gap, double* area) {
+void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) {
   closure_ = 0;
   n_covered_ = 0;
   for (std::size_t k = 0; k < patches_.size(); ++k) {
@@ -105,7 +105,7 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, double
       normal_pull_back(patches_[k], positions, axis, normal_gradient_[k][i]);
     }
   }
-  for (auto& facet : facets_) integrate_facet(facet, x, with_tangent, f, weighted_gap, area);
+  for (auto& facet : facets_) integrate_facet(facet, x, with_tangent, f, sums);
 
   // The normals turn with the surface: (dn/dx)^T (p g) acts on the patch, and its change with x is the curvature term.
   for (std::size_t k = 0; k < patches_.size(); ++k) {
@@ -128,7 +128,9 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, double
   }
 }
 
-void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, double* weighted_gap, double* area) {
+void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums) {
+  double *weighted_gap = sums.weighted_gap.getDataNonConst().getRawPtr(), *area = sums.covered_area.getDataNonConst().getRawPtr(),
+         *whole_area = sums.whole_area.getDataNonConst().getRawPtr();
   const auto& nodes = pair_.secondary.facets[facet.index];
   PairInput input;
   for (int a = 0; a < 4; ++a) {
@@ -188,6 +190,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   const auto plane = AuxiliaryPlane::project(input.x, input.normal);
   Quad<double> projected;
   for (int a = 0; a < 4; ++a) projected[a] = {plane.y[2 * a], plane.y[2 * a + 1]};
+  const auto weights = facet_weights(projected);
+  for (int a = 0; a < 4; ++a) whole_area[dofs_.local(pressure_point(facet.corner[a]))] += weights[a];
   const double whole = 0.5 * std::abs(twice_area(projected)), error = std::abs(covered - whole) / whole;
   if (error < 1e-6) {  // nearer than any true partial cover of a mesh that is not made to deceive
     closure_ = std::max(closure_, error);

@@ -18,6 +18,12 @@ struct ContactCounts {
   long turned_away = 0;    ///< of these, not facing each other within 80 degrees
 };
 
+/// Sums over the facets round each secondary node, on the overlap at the indices of its pressure.
+struct NodalSums {
+  explicit NodalSums(const DofSpace& dofs) : weighted_gap(dofs.overlap_map()), covered_area(dofs.overlap_map()), whole_area(dofs.overlap_map()) {}
+  Vector weighted_gap, covered_area, whole_area;
+};
+
 /// One contact pair on this rank: the secondary facets whose element the rank owns.
 /// Order of calls: `search`, then per evaluation `integrate` -> (nodal sums over ranks, law) -> `add_...`.
 class MortarTerm {
@@ -32,8 +38,9 @@ class MortarTerm {
   void append_cells(std::vector<Cell>& cells);
 
   /// Evaluates all pairs at positions and pressures `x` (overlap). Adds to nodal sums on the overlap, at the pressures' indices:
-  /// weighted gap [m^3] and covered area [m^2]; and the contact force to the rows of the nodes in `f`.
-  void integrate(const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
+  /// weighted gap [m^3], covered area and whole area (as if all of the surface were covered) [m^2]; and the contact force to the rows of
+  /// the nodes in `f`.
+  void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums);
 
   /// Adds the tangent; the row of a pressure is  gap_row d(weighted gap) + area_row d(covered area).
   /// @param gap_row, area_row factors (overlap, at the pressures' indices)
@@ -62,7 +69,7 @@ class MortarTerm {
     std::vector<double> matrix;        // last tangent over the unknowns of `points`, then 4 rows of the covered areas
   };
   void list_points(Facet& facet);
-  void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, double* weighted_gap, double* area);
+  void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
   void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;
   std::size_t width(const Facet& facet) const { return 3 * static_cast<std::size_t>(facet.n_patch + facet.n_primary) + 4; }
   Vec3<double> position(const double* x, int node) const {

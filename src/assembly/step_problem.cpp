@@ -147,7 +147,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   update_search(*overlap_x);
   if (with_tangent) matrix_->zero();
 
-  Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map()), weighted_gap(dofs_.overlap_map()), area(dofs_.overlap_map());
+  Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());
+  NodalSums sums(dofs_);
   std::vector<int> admissible{1};
   {
     const Stopwatch watch(counts_.seconds_elements);
@@ -162,7 +163,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.admissible = true;
   {
     const Stopwatch watch(counts_.seconds_contact);
-    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), data(weighted_gap), data(area));
+    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), sums);
   }
 
   const auto owned_sum = [&](const Vector& shares) {
@@ -173,14 +174,14 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.internal = owned_sum(internal);
   out.contact = owned_sum(contact);
   out.external = external_;
-  out.gap = owned_sum(weighted_gap);  // weighted until the law divides by the area
-  out.area = owned_sum(area);
+  out.gap = owned_sum(sums.weighted_gap);  // weighted until the law divides by the area
+  out.area = owned_sum(sums.covered_area);
   out.residual = Teuchos::rcp(new Vector(*out.internal, Teuchos::Copy));
   out.residual->update(1.0, *out.contact, -1.0, *external_, 1.0);
 
   identity_rows_.assign(dofs_.n_owned(), 0);
   Vector gap_row(dofs_.owned_map()), area_row(dofs_.owned_map());
-  if (!pairs_.empty()) law(x, out, gap_row, area_row);
+  if (!pairs_.empty()) law(x, *owned_sum(sums.whole_area), out, gap_row, area_row);
 
   std::vector<double> greatest{0, out.gap_residual};
   {
@@ -214,6 +215,11 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       for (auto& pair : pairs_) pair->add_tangent(data(*gap_factors), data(*area_factors), *matrix_);
     }
     const Stopwatch watch(counts_.seconds_assembly);
+    if (!out.compliance.is_null()) {
+      const double* s = data(*out.compliance);
+      for (int k = 0; k < dofs_.n_owned(); ++k)
+        if (s[k] > 0) matrix_->add_diagonal(k, s[k]);
+    }
     tangent_ = matrix_->assemble();
     const auto local = tangent_->getLocalMatrixHost();
     const auto row_map = tangent_->getRowMap(), col_map = tangent_->getColMap();
@@ -227,9 +233,19 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   return out;
 }
 
-void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row, Vector& area_row) {
-  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row);
-  const double *area = data(*out.area), *pressure = data(x);
+// A node that is hardly covered constrains the same motion as its neighbours, with next to no area to press on: its pressure would jump
+// from nothing to any size at the first touch of an edge. So the law yields there: gap + s p = 0 with s growing as the cover shrinks, and
+// s = 0 where the node is fully covered.
+double yielding(const ContactPair& pair, double covered, double whole) {
+  constexpr double share = 1e-2;
+  const double lacking = whole / covered - 1;
+  return lacking > 1e-9 ? share * pair.primary_size / pair.primary_youngs_modulus * lacking : 0.0;
+}
+
+void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, Vector& gap_row, Vector& area_row) {
+  out.compliance = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row), *compliance = data(*out.compliance);
+  const double *area = data(*out.area), *pressure = data(x), *whole = data(whole_area);
   out.closed.assign(scene_.n_multipliers, 0);
   out.covered.assign(scene_.n_multipliers, 0);
   for (const auto& pair : pairs_) {
@@ -247,14 +263,15 @@ void StepProblem::law(const Vector& x, Evaluation& out, Vector& gap_row, Vector&
         continue;
       }
       gap[at] /= area[at];
+      const double s = compliance[at] = yielding(p, area[at], whole[at]);
       // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
       d_gap[at] = 1 / area[at];
-      d_area[at] = -gap[at] / area[at];
+      d_area[at] = -gap[at] / area[at] - (s > 0 ? s * pressure[at] * whole[at] / (area[at] * (whole[at] - area[at])) : 0.0);
       const double c = complementarity_constant(p, k, area[at]), law = complementarity(pressure[at], gap[at], c);
       const bool closed = law != pressure[at];  // the branch taken is the active set
       out.closed[multiplier] = closed;
-      residual[at] = closed ? law / c : law;  // the gap itself: an equation between lengths
-      if (closed) out.gap_residual = std::max(out.gap_residual, std::abs(gap[at]));
+      residual[at] = closed ? gap[at] + s * pressure[at] : pressure[at];  // an equation between lengths where closed
+      if (closed) out.gap_residual = std::max(out.gap_residual, std::abs(residual[at]));
     }
   }
   std::vector<int> all(out.closed.begin(), out.closed.end());
@@ -345,8 +362,9 @@ State StepProblem::initial_state() {
 
 Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
   const auto overlap_x = to_overlap(x);
-  Vector shares(dofs_.overlap_map()), gap(dofs_.overlap_map()), area(dofs_.overlap_map());
-  pairs_[k]->integrate(data(*overlap_x), false, data(shares), data(gap), data(area));
+  Vector shares(dofs_.overlap_map());
+  NodalSums sums(dofs_);
+  pairs_[k]->integrate(data(*overlap_x), false, data(shares), sums);
   Vector force(dofs_.owned_map());
   force.doExport(shares, *dofs_.importer(), Tpetra::ADD);
   const double* f = data(force);
@@ -365,8 +383,9 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   for (int point : dofs_.overlap_points())
     if (dofs_.owned(point) && dofs_.size(point) == 1) to[dofs_.local(point)] = from[dofs_.local(point)];
   const auto overlap_x = to_overlap(mixed);
-  Vector contact(dofs_.overlap_map()), gap(dofs_.overlap_map()), area(dofs_.overlap_map());
-  for (auto& pair : pairs_) pair->integrate(data(*overlap_x), false, data(contact), data(gap), data(area));
+  Vector contact(dofs_.overlap_map());
+  NodalSums sums(dofs_);
+  for (auto& pair : pairs_) pair->integrate(data(*overlap_x), false, data(contact), sums);
   auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
   sum->doExport(contact, *dofs_.importer(), Tpetra::ADD);
   return sum;

@@ -22,6 +22,7 @@ struct Evaluation {
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
   RCP<Vector> gap;                  ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
   RCP<Vector> area;                 ///< covered area at the rows of pressures [m^2]
+  RCP<Vector> compliance;           ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
   double force_residual = 0;        ///< |R| over free positions [N]
   double force_scale = 0;           ///< max(|f_int|, |f_ext|, |f_contact|) [N]
   double gap_residual = 0;          ///< greatest |gap| of a closed node [m]
@@ -89,7 +90,7 @@ class StepProblem {
   void update_search(const Vector& overlap_x);
   double greatest_motion(const Vector& from, const Vector& to) const;
   void build_graph();
-  void law(const Vector& x, Evaluation& out, Vector& gap_row, Vector& area_row);
+  void law(const Vector& x, const Vector& whole_area, Evaluation& out, Vector& gap_row, Vector& area_row);
   void find_normal_stiffness();
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 

@@ -53,11 +53,12 @@ DirectionReport find_direction(const StepProblem& problem, const Vector& x, cons
     Vector b(*at.residual, Teuchos::Copy);
     b.scale(-1.0);
     auto identity_rows = problem.identity_rows();
-    {
+    if (!rows.empty()) {
       auto right = b.getDataNonConst();
-      const auto pressure = x.getData(), gap = at.gap->getData();
+      const auto pressure = x.getData(), gap = at.gap->getData(), compliance = at.compliance->getData();
       for (const LawRow& row : rows) {
-        right[row.local] = row.closed ? -gap[row.local] : -pressure[row.local];
+        const double p = pressure[row.local];
+        right[row.local] = row.closed ? -(gap[row.local] + compliance[row.local] * p) : -p;
         identity_rows[row.local] = !row.closed;
       }
     }
@@ -70,10 +71,13 @@ DirectionReport find_direction(const StepProblem& problem, const Vector& x, cons
     tried.insert(closed);
     tangent.apply(direction, change);
     std::vector<int> mine(closed.size(), 0), all(closed.size(), 0);
-    {
-      const auto pressure = x.getData(), gap = at.gap->getData(), dp = direction.getData(), dg = change.getData();
+    if (!rows.empty()) {
+      const auto pressure = x.getData(), gap = at.gap->getData(), compliance = at.compliance->getData(), dp = direction.getData(),
+                 change_of_row = change.getData();
       for (LawRow& row : rows) {
-        row.closed = row.closed ? pressure[row.local] + dp[row.local] > 0 : gap[row.local] + dg[row.local] < 0;
+        // Where open, p + dp = 0: what the row gives beyond the pressure's share is the new gap.
+        const int k = row.local;
+        row.closed = row.closed ? pressure[k] + dp[k] > 0 : gap[k] + change_of_row[k] + compliance[k] * pressure[k] < 0;
         mine[row.multiplier] = row.closed;
       }
     }

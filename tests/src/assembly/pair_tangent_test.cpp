@@ -15,16 +15,17 @@ namespace {
 
 const auto& rule = triangle_rule(5);
 
-double largest_entry(const PairTangent& pair) {
+double largest_entry(const PairTangent& pair) {  // infinite if any entry is not a number
   double size = 0;
-  for (const auto& row : pair.d)
-    for (double entry : row) size = std::isfinite(entry) ? std::max(size, std::abs(entry)) : HUGE_VAL;
+  const auto include = [&size](double entry) { size = std::max(size, std::isfinite(entry) ? std::abs(entry) : HUGE_VAL); };
+  for (const auto& row : pair.d) std::for_each(row, row + 40, include);
+  for (const auto& row : pair.d_area) std::for_each(row, row + 36, include);
   return size;
 }
 
 double largest_row(const PairOutput& pair) {
   double size = 0;
-  for (double row : pair.row) size = std::max(size, std::abs(row));
+  for (double row : pair.row) size = std::max(size, std::isfinite(row) ? std::abs(row) : HUGE_VAL);
   return size;
 }
 
@@ -54,11 +55,17 @@ TEST(PairTangent, IsTheDerivativeOfThePairValues) {
     const auto input = overlapping_pair(random, 0.05);
     PairTangent tangent;
     ASSERT_TRUE(pair_tangent(input, rule, tangent));
-    const std::vector<double> jacobian(&tangent.d[0][0], &tangent.d[0][0] + 1600);
+    std::vector<double> jacobian(&tangent.d[0][0], &tangent.d[0][0] + 1600);
+    for (const auto& row : tangent.d_area) {
+      jacobian.insert(jacobian.end(), row, row + 36);
+      jacobian.insert(jacobian.end(), 4, 0.0);
+    }
     const auto rows = [](const std::vector<double>& at) {
       PairOutput values;
       pair_values(from_inputs(at), rule, values);
-      return std::vector<double>(values.row, values.row + 40);
+      std::vector<double> all(values.row, values.row + 40);
+      all.insert(all.end(), values.covered_area, values.covered_area + 4);
+      return all;
     };
     // Steps short of the next change in the number of corners, where the derivative has a kink.
     EXPECT_TRUE(is_derivative(jacobian, rows, inputs_of(input), {2e-4, 1e-7, 2})) << "trial " << trial;
@@ -87,7 +94,8 @@ TEST(PairTangent, EqualsDifferentiationWithoutStages) {
       y[2 * a] = dot(t1, x[a]);
       y[2 * a + 1] = dot(t2, x[a]);
     }
-    const auto expected = pair_shares(x, n, p, planar_integrals(y, rule));
+    const auto integrals = planar_integrals(y, rule);
+    const auto expected = pair_shares(x, n, p, integrals);
     PairTangent tangent;
     ASSERT_TRUE(pair_tangent(input, rule, tangent));
     const double size = largest_entry(tangent);
@@ -97,7 +105,11 @@ TEST(PairTangent, EqualsDifferentiationWithoutStages) {
     };
     for (int k = 0; k < 24; ++k) compare(k, expected.force[k / 3][k % 3]);
     for (int k = 0; k < 12; ++k) compare(24 + k, expected.n_load[k / 3][k % 3]);
-    for (int I = 0; I < 4; ++I) compare(36 + I, expected.weighted_gap[I]);
+    for (int I = 0; I < 4; ++I) {
+      compare(36 + I, expected.weighted_gap[I]);
+      const Fad area = (integrals.D[I][0] + integrals.D[I][1]) + (integrals.D[I][2] + integrals.D[I][3]);
+      for (int c = 0; c < 36; ++c) EXPECT_NEAR(tangent.d_area[I][c], area.dx(c), 1e-12 * size);
+    }
   }
 }
 
