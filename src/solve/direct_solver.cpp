@@ -226,6 +226,11 @@ DirectSolver::~DirectSolver() = default;
 DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
 
 LinearReport DirectSolver::solve(const Matrix& A, const Vector& b, Vector& x, long graph_number) {
+  const LinearReport factored = factor(A, graph_number);
+  return factored.solved ? solve(b, x) : factored;
+}
+
+LinearReport DirectSolver::factor(const Matrix& A, long graph_number) {
   Mumps& m = *mumps_;
   LinearReport report;
   if (graph_number != m.graph_number) {
@@ -254,6 +259,13 @@ LinearReport DirectSolver::solve(const Matrix& A, const Vector& b, Vector& x, lo
     report.cause = fmt::format("the tangent is singular: {} null pivots", report.null_pivots);
     return report;
   }
+  report.solved = true;
+  return report;
+}
+
+LinearReport DirectSolver::solve(const Vector& b, Vector& x) {
+  Mumps& m = *mumps_;
+  LinearReport report;
   const auto b_mine = b.getData();
   std::vector<double> gathered(m.rank == 0 ? m.n : 0);
   const int mine = static_cast<int>(b_mine.size());

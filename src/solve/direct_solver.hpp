@@ -18,7 +18,13 @@ class DirectSolver {
   ~DirectSolver();
   DirectSolver(DirectSolver&&) noexcept;
 
-  /// Solves A x = b. @param graph_number changes when the graph of A has changed since the last call
+  /// Factors A for `solve(b, x)`. @param graph_number changes when the graph of A has changed since the last call
+  LinearReport factor(const Matrix& A, long graph_number);
+
+  /// Solves with the last factors.
+  LinearReport solve(const Vector& b, Vector& x);
+
+  /// Solves A x = b: factors, then solves. @param graph_number changes when the graph of A has changed since the last call
   LinearReport solve(const Matrix& A, const Vector& b, Vector& x, long graph_number);
 
   long analyses() const;

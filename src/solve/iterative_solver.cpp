@@ -96,6 +96,7 @@ struct IterativeSolver::Blocks {
   double tolerance;
   int most_iterations;
   BlockPreconditioner preconditioner;
+  const Matrix* A = nullptr;  // the matrix it was made for
 
   // One run of GMRES from zero on  A dx = r,  until the weighted residual has fallen by `reduction`. @return iterations
   int gmres(const Matrix& A, const Vector& r, Vector& dx, double reduction, int iterations_left) const {
@@ -161,25 +162,37 @@ IterativeSolver::IterativeSolver(const RCP<const Map>& map, long long n_position
 IterativeSolver::~IterativeSolver() = default;
 IterativeSolver::IterativeSolver(IterativeSolver&&) noexcept = default;
 
-LinearReport IterativeSolver::solve(const Matrix& A, const Vector& b, Vector& x) {
+LinearReport IterativeSolver::prepare(const Matrix& A) {
   LinearReport report;
-  const Comm& comm = *blocks_->map->getComm();
+  blocks_->A = &A;
+  if (!std::isfinite(A.getFrobeniusNorm())) {
+    report.cause = "the matrix is not finite";
+    return report;
+  }
+  report.cause = cause_of_failure(*blocks_->map->getComm(), [&] { blocks_->preconditioner.update(A); });
+  report.solved = report.cause.empty();
+  if (!report.solved) report.cause = "the preconditioner could not be built: " + report.cause;
+  return report;
+}
+
+LinearReport IterativeSolver::solve(const Vector& b, Vector& x) {
+  LinearReport report;
   x.putScalar(0.0);
-  if (!std::isfinite(b.norm2()) || !std::isfinite(A.getFrobeniusNorm())) {
-    report.cause = "the matrix or the right-hand side is not finite";
+  if (!std::isfinite(b.norm2())) {
+    report.cause = "the right-hand side is not finite";
     return report;
   }
-  report.cause = cause_of_failure(comm, [&] { blocks_->preconditioner.update(A); });
-  if (!report.cause.empty()) {
-    report.cause = "the preconditioner could not be built: " + report.cause;
-    return report;
-  }
-  const std::string cause = cause_of_failure(comm, [&] { blocks_->iterate(A, b, x, report); });
+  const std::string cause = cause_of_failure(*blocks_->map->getComm(), [&] { blocks_->iterate(*blocks_->A, b, x, report); });
   if (!cause.empty()) {
     report.solved = false;
     report.cause = fmt::format("GMRES broke down after {} iterations: {}", report.iterations, cause);
   }
   return report;
+}
+
+LinearReport IterativeSolver::solve(const Matrix& A, const Vector& b, Vector& x) {
+  const LinearReport prepared = prepare(A);
+  return prepared.solved ? solve(b, x) : prepared;
 }
 
 }  // namespace mortise

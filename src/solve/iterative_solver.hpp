@@ -19,6 +19,13 @@ class IterativeSolver {
   IterativeSolver(IterativeSolver&&) noexcept;
 
   /// Solves A x = b from x = 0; rows that hold nothing but their diagonal are solved at once.
+  /// Builds the preconditioner for `solve(b, x)`. A must live as long as these solves.
+  LinearReport prepare(const Matrix& A);
+
+  /// Solves with the last matrix.
+  LinearReport solve(const Vector& b, Vector& x);
+
+  /// Solves A x = b: prepares, then solves.
   LinearReport solve(const Matrix& A, const Vector& b, Vector& x);
 
  private:

@@ -36,16 +36,21 @@ LinearSolver::LinearSolver(const Scene& scene, const DofSpace& dofs, const Solve
   accepted_residual_ = is_direct ? 1e-8 : 10 * options.linear_tolerance;
 }
 
-LinearReport LinearSolver::solve(Matrix& A, Vector& b, Vector& x, const std::vector<char>& identity_rows, long graph_number) {
-  eliminate_identity_columns(A, identity_rows, b);
-  LinearReport report;
-  if (auto* direct = std::get_if<DirectSolver>(&solver_)) {
-    report = direct->solve(A, b, x, graph_number);
-  } else {
-    report = std::get<IterativeSolver>(solver_).solve(A, b, x);
-  }
+LinearReport LinearSolver::factor(const Matrix& A, const std::vector<char>& identity_rows, long graph_number) {
+  original_ = Teuchos::rcp(new Matrix(A, Teuchos::Copy));
+  reduced_ = Teuchos::rcp(new Matrix(A, Teuchos::Copy));
+  identity_rows_ = identity_rows;
+  zero_known_columns(*reduced_, identity_rows);
+  if (auto* direct = std::get_if<DirectSolver>(&solver_)) return direct->factor(*reduced_, graph_number);
+  return std::get<IterativeSolver>(solver_).prepare(*reduced_);
+}
+
+LinearReport LinearSolver::solve(const Vector& b, Vector& x) {
+  Vector right(b, Teuchos::Copy);
+  move_known_columns(*original_, identity_rows_, right);
+  LinearReport report = std::visit([&](auto& solver) { return solver.solve(right, x); }, solver_);
   if (!report.solved) return report;
-  report.true_residual = true_residual(A, x, b);
+  report.true_residual = true_residual(*reduced_, x, right);
   if (!(report.true_residual <= accepted_residual_)) {
     report.solved = false;
     report.cause = fmt::format("the linear solver returned a wrong solution: |b - A x| / |b| = {:.2e}", report.true_residual);

@@ -15,8 +15,11 @@ class LinearSolver {
  public:
   LinearSolver(const Scene& scene, const DofSpace& dofs, const SolverOptions& options);
 
-  /// Solves A x = b and checks the true residual; identity rows are taken out first (A and b are changed).
-  LinearReport solve(Matrix& A, Vector& b, Vector& x, const std::vector<char>& identity_rows, long graph_number);
+  /// Takes a matrix for the solves that follow: identity rows are taken out, the direct solver factors. A is copied.
+  LinearReport factor(const Matrix& A, const std::vector<char>& identity_rows, long graph_number);
+
+  /// Solves A x = b with the last matrix, and checks the true residual.
+  LinearReport solve(const Vector& b, Vector& x);
 
   const std::string& choice() const { return choice_; }
   const DirectSolver* direct() const { return std::get_if<DirectSolver>(&solver_); }
@@ -25,6 +28,9 @@ class LinearSolver {
   std::variant<DirectSolver, IterativeSolver> solver_;
   std::string choice_;
   double accepted_residual_;
+  RCP<const Matrix> original_;  // of the last `factor`
+  RCP<Matrix> reduced_;         // without the columns of known unknowns
+  std::vector<char> identity_rows_;
 };
 
 }  // namespace mortise

@@ -2,35 +2,44 @@
 
 namespace mortise {
 
-void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b) {
-  const auto n = static_cast<int>(identity_rows.size());
-  Vector known(A.getRowMap()), flag(A.getRowMap()), product(A.getRowMap());
+void move_known_columns(const Matrix& A, const std::vector<char>& identity_rows, Vector& b) {
+  Vector known(A.getRowMap()), product(A.getRowMap());
   {
     auto k = known.getDataNonConst();
-    auto f = flag.getDataNonConst();
     const auto rhs = b.getData();
-    for (int i = 0; i < n; ++i)
-      if (identity_rows[i]) {
-        k[i] = rhs[i];
-        f[i] = 1.0;
-      }
-  }
-  Vector flag_col(A.getColMap());
-  if (const auto importer = A.getCrsGraph()->getImporter(); importer.is_null()) {
-    Tpetra::deep_copy(flag_col, flag);
-  } else {
-    flag_col.doImport(flag, *importer, Tpetra::INSERT);
+    for (std::size_t i = 0; i < identity_rows.size(); ++i)
+      if (identity_rows[i]) k[i] = rhs[i];
   }
   A.apply(known, product);
   auto rhs = b.getDataNonConst();
-  const auto taken = product.getData(), column_is_known = flag_col.getData();
-  const auto local = A.getLocalMatrixHost();
-  for (int i = 0; i < n; ++i) {
-    if (identity_rows[i]) continue;
-    rhs[i] -= taken[i];
-    for (auto e = local.graph.row_map(i); e < local.graph.row_map(i + 1); ++e)
-      if (column_is_known[local.graph.entries(e)] != 0) local.values(e) = 0;
+  const auto taken = product.getData();
+  for (std::size_t i = 0; i < identity_rows.size(); ++i)
+    if (!identity_rows[i]) rhs[i] -= taken[i];
+}
+
+void zero_known_columns(Matrix& A, const std::vector<char>& identity_rows) {
+  Vector flag(A.getRowMap()), flag_of_column(A.getColMap());
+  {
+    auto f = flag.getDataNonConst();
+    for (std::size_t i = 0; i < identity_rows.size(); ++i) f[i] = identity_rows[i];
   }
+  if (const auto importer = A.getCrsGraph()->getImporter(); importer.is_null()) {
+    Tpetra::deep_copy(flag_of_column, flag);
+  } else {
+    flag_of_column.doImport(flag, *importer, Tpetra::INSERT);
+  }
+  const auto is_known = flag_of_column.getData();
+  const auto local = A.getLocalMatrixHost();
+  for (std::size_t i = 0; i < identity_rows.size(); ++i) {
+    if (identity_rows[i]) continue;
+    for (auto e = local.graph.row_map(i); e < local.graph.row_map(i + 1); ++e)
+      if (is_known[local.graph.entries(e)] != 0) local.values(e) = 0;
+  }
+}
+
+void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b) {
+  move_known_columns(A, identity_rows, b);
+  zero_known_columns(A, identity_rows);
 }
 
 double true_residual(const Matrix& A, const Vector& x, const Vector& b) {

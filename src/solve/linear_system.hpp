@@ -17,6 +17,12 @@ struct LinearReport {
   int null_pivots = 0;          ///< of a direct solver: rank deficiency it met
 };
 
+/// The right-hand side's share of `eliminate_identity_columns`: b changes in all rows but the identities. @param A with its columns
+void move_known_columns(const Matrix& A, const std::vector<char>& identity_rows, Vector& b);
+
+/// The matrix' share: the columns of identity rows become zero outside these rows.
+void zero_known_columns(Matrix& A, const std::vector<char>& identity_rows);
+
 /// Rows that are identities determine their unknowns at once: their columns go to the right-hand side, the graph stays.
 /// @param identity_rows per owned row, 1 where the row is the identity  @param b right-hand side, changed
 void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b);

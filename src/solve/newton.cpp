@@ -69,7 +69,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     if (!std::isfinite(e.force_residual) || !std::isfinite(e.gap_residual)) return fail("the residual is not a finite number");
 
     const bool settled = compare_sets(e, unwrap(group.getX()));
-    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_linear.solves,
+    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_linear.factorisations, shared_->last_linear.solves,
                     shared_->last_step_length};
     result_.log.push_back(line);
 

@@ -16,7 +16,7 @@ struct NewtonLine {
   double gap_residual = 0;                     ///< [m]
   int closed = 0, opened_now = 0, closed_now = 0;
   int linear_iterations = 0;
-  int linear_solves = 0;  ///< active sets tried on the linearised equations
+  int factorisations = 0, linear_solves = 0;
   double step_length = 1;
 };
 

@@ -16,7 +16,7 @@ std::string iteration_table(const StepResult& result) {
     text += fmt::format("  {:2}  {:8.2e}    {:8.2e}    {:8.2e}  {:6}", k, line.force_residual,
                         line.force_scale > 0 ? line.force_residual / line.force_scale : 0.0, line.gap_residual, line.closed);
     if (line.opened_now + line.closed_now > 0) text += fmt::format(" (+{} -{})", line.closed_now, line.opened_now);
-    if (line.linear_solves > 1) text += fmt::format("  {} sets", line.linear_solves);
+    if (line.linear_solves > 1) text += fmt::format("  {} factorisations, {} solves", line.factorisations, line.linear_solves);
     if (line.linear_iterations > 0) text += fmt::format("  gmres {}", line.linear_iterations);
     if (line.step_length != 1) text += fmt::format("  step length {:g}", line.step_length);
     text += '\n';
