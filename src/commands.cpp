@@ -1,6 +1,7 @@
 #include "commands.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <Teuchos_CommHelpers.hpp>
 #include <chrono>
@@ -154,9 +155,15 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
         seconds_output += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       }};
   const Reporter to_log = [&](const std::string& line) { if (is_root) log << line << std::flush; };
-  const Reporter progress = [&](const std::string& line) { if (is_root && !options.quiet) std::cout << line << std::endl; };
+  // On a terminal one line that changes, in a file a line per step.
+  const bool on_terminal = isatty(STDOUT_FILENO) != 0;
+  const Reporter progress = [&](const std::string& line) {
+    if (!is_root || options.quiet) return;
+    std::cout << (on_terminal ? "\r\x1b[K" : "") << line << (on_terminal ? "" : "\n") << std::flush;
+  };
   const MarchSummary summary = march(problem, newton, setup.initial, scene.time, observers, to_log, progress);
 
+  if (is_root && on_terminal && !options.quiet) std::cout << std::endl;
   ExitCode code = summary.code;
   const auto expectations = code == ExitCode::done ? check_expectations(scene, history) : std::vector<Expectation>{};
   for (const auto& e : expectations) {

@@ -141,7 +141,7 @@ void describe(Fields& f, SolverOptions& o) {
       {"auto", LinearSolverKind::automatic}, {"direct", LinearSolverKind::direct}, {"iterative", LinearSolverKind::iterative}};
   const Bound relative = within(1e-15, 0.1).because("a relative residual below 1e-15 is round-off");
   f.choice("linear", o.linear, kinds, Presence::optional,
-           "direct: MUMPS; iterative: GMRES with incomplete factors; auto: chosen by the number of unknowns");
+           "direct: MUMPS; iterative: GMRES with incomplete factors; auto: direct up to 150000 unknowns");
   f.optional("tolerance", o.tolerance, relative, "-", "of the residual, relative to the greatest force at work");
   f.optional("newton iterations", o.largest_iterations, at_least(1), "-", "most Newton iterations before a step is cut");
   f.optional("further iterations", o.further_iterations, at_least(0), "-",

@@ -87,7 +87,7 @@ struct SolverOptions {
   int further_iterations = 0;       ///< Newton iterations after convergence (comparisons between rank counts use 1)
   double linear_tolerance = 1e-10;  ///< GMRES: relative residual
   int linear_iterations = 1000;     ///< GMRES: most iterations
-  int fill_level = 1;               ///< RILUK level of fill of the bodies
+  int fill_level = 0;               ///< RILUK level of fill of the bodies
 };
 
 struct OutputOptions {

@@ -10,7 +10,7 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_oblackholestream.hpp>
-#include <set>
+#include <map>
 
 #include "solve/newton_group.hpp"
 
@@ -81,6 +81,8 @@ class StepStatus : public NOX::StatusTest::Generic {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
       return status_;
     }
+    far_off_ = e.force_residual > 0.3 * e.force_scale && iteration > 1 ? far_off_ + 1 : 0;
+    if (far_off_ >= 5) return fail("Newton diverges: the residual has stayed as large as the forces for five iterations");
     detect_cycle(e, settled);
     if (iteration >= options_.largest_iterations)
       return fail(cycles_ > 0 ? "the active set cycles" : fmt::format("Newton stopped after {} iterations", iteration));
@@ -140,14 +142,13 @@ class StepStatus : public NOX::StatusTest::Generic {
     return all;
   }
 
-  // A set that was left and is met again: the next step is halved, so that the iterates leave the loop.
+  // A set that was left twice and is met again: the next step is halved, so that the iterates leave the loop.
   void detect_cycle(const Evaluation& e, bool settled) {
-    if (!settled && seen_.count(e.closed) > 0) {
-      ++cycles_;
-      shared_->halve_next = true;
-      seen_.clear();
-    }
-    seen_.insert(e.closed);
+    if (settled) return;
+    if (++met_[e.closed] < 3) return;
+    ++cycles_;
+    shared_->halve_next = true;
+    met_.clear();
   }
 
   std::shared_ptr<NewtonShared> shared_;
@@ -155,8 +156,8 @@ class StepStatus : public NOX::StatusTest::Generic {
   StepResult& result_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<char> previous_;
-  std::set<std::vector<char>> seen_;
-  int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0;
+  std::map<std::vector<char>, int> met_;  // how often each set was arrived at
+  int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0, far_off_ = 0;
 };
 
 }  // namespace
