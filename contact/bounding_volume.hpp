@@ -18,7 +18,8 @@ struct Box {
   bool overlaps(const Box& other) const;
 };
 
-/// A binary tree over boxes, split at the median of the longest axis. Answers do not depend on anything but the boxes and their order.
+/// A binary tree over boxes, split at the median of the longest axis. Answers do not depend on anything but the boxes and their
+/// order.
 class BoxTree {
  public:
   explicit BoxTree(std::vector<Box> boxes);
@@ -29,7 +30,7 @@ class BoxTree {
  private:
   struct Node {
     Box box;
-    int first, last;       // range of order_ in a leaf
+    int first, last;  // range of order_ in a leaf
     int left = -1, right = -1;
   };
   int build(int first, int last);

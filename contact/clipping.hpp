@@ -5,8 +5,8 @@
 
 namespace mortise {
 
-/// Cuts a quadrilateral (either orientation) into convex, counter-clockwise pieces: itself, or two triangles from a reflex corner.
-/// A self-crossing or flat quadrilateral has no pieces. @return number of pieces, 0 to 2
+/// Cuts a quadrilateral (either orientation) into convex, counter-clockwise pieces: itself, or two triangles from a reflex
+/// corner. A self-crossing or flat quadrilateral has no pieces. @return number of pieces, 0 to 2
 template <class T>
 int convex_pieces(const Quad<T>& quad, std::array<Polygon<T>, 2>& pieces) {
   Quad<T> q = quad;
@@ -35,7 +35,8 @@ int convex_pieces(const Quad<T>& quad, std::array<Polygon<T>, 2>& pieces) {
 
 /// Where the edge p-q of a polygon crosses the clip edge a-b, given their signed distances d_p, d_q to it (of unlike sign).
 /// Edges that are parallel within 1e-5 cross at a point that slides by (motion / angle): its derivative is useless although the
-/// overlap hardly changes. There the vertex keeps its place on a-b, an element of the generalised derivative, which stays bounded.
+/// overlap hardly changes. There the vertex keeps its place on a-b, an element of the generalised derivative, which stays
+/// bounded.
 template <class T>
 Vec2<T> crossing(const Vec2<T>& p, const Vec2<T>& q, const T& d_p, const T& d_q, const Vec2<T>& a, const Vec2<T>& b) {
   constexpr double parallel = 1e-5;  // sine of the angle
@@ -47,7 +48,8 @@ Vec2<T> crossing(const Vec2<T>& p, const Vec2<T>& q, const T& d_p, const T& d_q,
     return {T(p.x + t * (q.x - p.x)), T(p.y + t * (q.y - p.y))};
   }
   const double t = value(d_p) / drop;
-  const double along = ((value(p.x) + t * side.x - value(a.x)) * edge.x + (value(p.y) + t * side.y - value(a.y)) * edge.y) / length2;
+  const double along =
+      ((value(p.x) + t * side.x - value(a.x)) * edge.x + (value(p.y) + t * side.y - value(a.y)) * edge.y) / length2;
   return {T(a.x + along * (b.x - a.x)), T(a.y + along * (b.y - a.y))};
 }
 

@@ -13,7 +13,8 @@ void add_3(std::vector<TrianglePoint>& rule, double weight, double a) {
 
 void add_6(std::vector<TrianglePoint>& rule, double weight, double a, double b) {
   const double c = 1 - a - b;
-  rule.insert(rule.end(), {{a, b, c, weight}, {b, c, a, weight}, {c, a, b, weight}, {a, c, b, weight}, {c, b, a, weight}, {b, a, c, weight}});
+  rule.insert(rule.end(),
+              {{a, b, c, weight}, {b, c, a, weight}, {c, a, b, weight}, {a, c, b, weight}, {c, b, a, weight}, {b, a, c, weight}});
 }
 
 std::vector<TrianglePoint> degree_4() {

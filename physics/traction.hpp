@@ -10,7 +10,8 @@ namespace mortise {
 /// Nodal weights W_a = int N_a dA [m^2] of a bilinear side in the reference configuration; the force on node a is W_a t.
 /// @param X positions of the four nodes [m], in order around the side
 inline std::array<double, 4> side_weights(const std::array<std::array<double, 3>, 4>& X) {
-  constexpr double r = 0.57735026918962576451;  // 1/sqrt(3): the rule is exact for a flat parallelogram, 2nd order on warped sides
+  constexpr double r =
+      0.57735026918962576451;  // 1/sqrt(3): the rule is exact for a flat parallelogram, 2nd order on warped sides
   constexpr double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
   std::array<double, 4> weights{};
   for (const auto& p : corner) {

@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 
 std::vector<int> contact_elements(const Scene& scene) {
   std::vector<int> elements;
-  for (const auto& pair : scene.pairs) elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
+  for (const auto& pair : scene.pairs)
+    elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
   return elements;
 }
 
@@ -56,9 +57,10 @@ struct Setup {
       for (const auto& n : pair->normals(x->getData().getRawPtr())) normals.push_back(n);
     std::vector<std::string> messages;
     for (const auto& body : free_bodies(scene, closed, normals))
-      messages.push_back(deck.error("D22", {"bodies", body.body},
-                                    fmt::format("{} free rigid {} in statics: {} - add supports, or let contact be closed at the start",
-                                                body.modes.size(), body.modes.size() == 1 ? "mode" : "modes", fmt::join(body.modes, ", "))));
+      messages.push_back(
+          deck.error("D22", {"bodies", body.body},
+                     fmt::format("{} free rigid {} in statics: {} - add supports, or let contact be closed at the start",
+                                 body.modes.size(), body.modes.size() == 1 ? "mode" : "modes", fmt::join(body.modes, ", "))));
     if (!messages.empty()) throw DeckError(messages);
   }
 };
@@ -66,7 +68,8 @@ struct Setup {
 /// The results file, opened on rank 0 and fed with gathered fields.
 class ResultsWriter {
  public:
-  ResultsWriter(const StepProblem& problem, const History& history, const fs::path& file) : is_root_(problem.dofs().comm()->getRank() == 0) {
+  ResultsWriter(const StepProblem& problem, const History& history, const fs::path& file)
+      : is_root_(problem.dofs().comm()->getRank() == 0) {
     for (const auto& field : problem.scene().output.fields)
       for (const auto& variable : variables_of_field(field)) nodal_.push_back(variable);
     for (std::size_t c = 0; c < history.columns().size(); ++c) {
@@ -78,7 +81,8 @@ class ResultsWriter {
     if (is_root_) file_.emplace(file, problem.scene().mesh.mesh, problem.scene().title, nodal_, global_);
   }
 
-  void observe(const StepProblem& problem, const State& now, const Evaluation& at, const StepRecord& record, const History& history) {
+  void observe(const StepProblem& problem, const State& now, const Evaluation& at, const StepRecord& record,
+               const History& history) {
     if (record.step > 0 && !record.is_stop && record.step % problem.scene().output.every != 0) return;
     std::vector<std::vector<double>> fields;
     for (const auto& name : nodal_) fields.push_back(nodal_quantity(problem, now, at, name));
@@ -154,7 +158,9 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
         results.observe(problem, now, at, record, history);
         seconds_output += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       }};
-  const Reporter to_log = [&](const std::string& line) { if (is_root) log << line << std::flush; };
+  const Reporter to_log = [&](const std::string& line) {
+    if (is_root) log << line << std::flush;
+  };
   // On a terminal one line that changes, in a file a line per step.
   const bool on_terminal = isatty(STDOUT_FILENO) != 0;
   const Reporter progress = [&](const std::string& line) {
@@ -168,16 +174,19 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
   const auto expectations = code == ExitCode::done ? check_expectations(scene, history) : std::vector<Expectation>{};
   for (const auto& e : expectations) {
     if (is_root)
-      (e.met ? std::cout : std::cerr) << fmt::format("expected \"{}\": {:.6g} +- {:.2g}, found {:.6g}: {}", e.name, e.expected, e.tolerance, e.found, e.met ? "met" : "MISSED") << std::endl;
+      (e.met ? std::cout : std::cerr) << fmt::format("expected \"{}\": {:.6g} +- {:.2g}, found {:.6g}: {}", e.name, e.expected,
+                                                     e.tolerance, e.found, e.met ? "met" : "MISSED")
+                                      << std::endl;
     if (!e.met) code = ExitCode::expectation_missed;
   }
   const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
   on_root(*comm, [&] { write_summary(folder / "summary.json", summary, code, expectations, problem, newton, cpu, wall); });
   if (is_root) {
-    if (!summary.cause.empty()) std::cerr << fmt::format("{}; the last good state is in {}", summary.cause, (folder / "results.e").string()) << std::endl;
-    std::cout << fmt::format("{} steps to t = {:g}, {} cuts, {} Newton iterations, {:.1f} s; results in {}", summary.steps, summary.end_time, summary.cuts,
-                             summary.newton_iterations, wall, folder.string())
+    if (!summary.cause.empty())
+      std::cerr << fmt::format("{}; the last good state is in {}", summary.cause, (folder / "results.e").string()) << std::endl;
+    std::cout << fmt::format("{} steps to t = {:g}, {} cuts, {} Newton iterations, {:.1f} s; results in {}", summary.steps,
+                             summary.end_time, summary.cuts, summary.newton_iterations, wall, folder.string())
               << std::endl;
   }
   return code;
@@ -189,9 +198,12 @@ ExitCode check_command(const fs::path& file, const RCP<const Comm>& comm) {
     const Mesh mesh = read_exodus(file);
     if (!is_root) return ExitCode::done;
     std::cout << fmt::format("{}: {} nodes, {} elements\n", file.string(), n_nodes(mesh), n_elements(mesh));
-    for (const auto& block : mesh.blocks) std::cout << fmt::format("  block {} \"{}\": {} hex8\n", block.id, block.name, block.elements.size());
-    for (const auto& set : mesh.side_sets) std::cout << fmt::format("  side set {} \"{}\": {} sides\n", set.id, set.name, set.sides.size());
-    for (const auto& set : mesh.node_sets) std::cout << fmt::format("  node set {} \"{}\": {} nodes\n", set.id, set.name, set.nodes.size());
+    for (const auto& block : mesh.blocks)
+      std::cout << fmt::format("  block {} \"{}\": {} hex8\n", block.id, block.name, block.elements.size());
+    for (const auto& set : mesh.side_sets)
+      std::cout << fmt::format("  side set {} \"{}\": {} sides\n", set.id, set.name, set.sides.size());
+    for (const auto& set : mesh.node_sets)
+      std::cout << fmt::format("  node set {} \"{}\": {} nodes\n", set.id, set.name, set.nodes.size());
     std::cout << "the mesh is usable\n";
     return ExitCode::done;
   }

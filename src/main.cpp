@@ -71,7 +71,8 @@ int main(int argc, char** argv) {
   } catch (const UserError& error) {
     return finish(*comm, static_cast<int>(error.code()), error.what());
   } catch (const std::bad_alloc&) {
-    return finish(*comm, static_cast<int>(ExitCode::resources), "error[R01] out of memory: the scene is too large for this machine or rank count");
+    return finish(*comm, static_cast<int>(ExitCode::resources),
+                  "error[R01] out of memory: the scene is too large for this machine or rank count");
   } catch (const std::exception& error) {
     return finish(*comm, static_cast<int>(ExitCode::internal), std::string("internal error, please report it: ") + error.what());
   }

@@ -18,9 +18,12 @@ using Path = std::vector<std::string>;
 Material make_material(const MaterialOptions& o) {
   const Moduli moduli{o.youngs_modulus, o.poissons_ratio};
   switch (o.model) {
-    case MaterialModel::neo_hookean: return NeoHookean::from(moduli);
-    case MaterialModel::neo_hookean_isochoric: return NeoHookeanIsochoric::from(moduli);
-    case MaterialModel::saint_venant_kirchhoff: return SaintVenantKirchhoff::from(moduli);
+    case MaterialModel::neo_hookean:
+      return NeoHookean::from(moduli);
+    case MaterialModel::neo_hookean_isochoric:
+      return NeoHookeanIsochoric::from(moduli);
+    case MaterialModel::saint_venant_kirchhoff:
+      return SaintVenantKirchhoff::from(moduli);
   }
   throw std::logic_error("a material model without a material");
 }
@@ -56,7 +59,9 @@ class SceneMaker {
   }
 
  private:
-  void error(const std::string& code, const Path& path, const std::string& what) { errors_.push_back(deck_.error(code, path, what)); }
+  void error(const std::string& code, const Path& path, const std::string& what) {
+    errors_.push_back(deck_.error(code, path, what));
+  }
   void stop_at_errors() const {
     if (!errors_.empty()) throw DeckError(errors_);
   }
@@ -69,7 +74,8 @@ class SceneMaker {
   void make_bodies() {
     const Mesh& mesh = scene_.mesh.mesh;
     std::vector<int> first_of_block{0};
-    for (const auto& block : mesh.blocks) first_of_block.push_back(first_of_block.back() + static_cast<int>(block.elements.size()));
+    for (const auto& block : mesh.blocks)
+      first_of_block.push_back(first_of_block.back() + static_cast<int>(block.elements.size()));
     std::vector<std::string> owner(mesh.blocks.size());
     for (const auto& [name, o] : options_.bodies) {
       const MeshPart& part = *find_part(scene_.mesh, o.mesh);
@@ -81,13 +87,18 @@ class SceneMaker {
           blocks.push_back(*found);
         } else {
           const auto names = block_names(scene_.mesh, part);
-          error("D20", {"bodies", name, "blocks"}, fmt::format("mesh \"{}\" has no block \"{}\"{}; it has: {}", o.mesh, block, did_you_mean(block, names), join(names)));
+          error("D20", {"bodies", name, "blocks"},
+                fmt::format("mesh \"{}\" has no block \"{}\"{}; it has: {}", o.mesh, block, did_you_mean(block, names),
+                            join(names)));
         }
       }
       const MaterialOptions& material = named(options_.materials, o.material);
       Body body{name, make_material(material), o.tangent, {}, {}, material.youngs_modulus, 0};
       for (int b : blocks) {
-        if (!owner[b].empty()) error("D19", {"bodies", name}, fmt::format("block \"{}\" belongs to body \"{}\" already - a block has one material", mesh.blocks[b].name, owner[b]));
+        if (!owner[b].empty())
+          error("D19", {"bodies", name},
+                fmt::format("block \"{}\" belongs to body \"{}\" already - a block has one material", mesh.blocks[b].name,
+                            owner[b]));
         owner[b] = name;
         for (int e = first_of_block[b]; e < first_of_block[b + 1]; ++e) body.elements.push_back(e);
       }
@@ -104,7 +115,9 @@ class SceneMaker {
       scene_.bodies.push_back(std::move(body));
     }
     for (std::size_t b = 0; b < owner.size(); ++b)
-      if (owner[b].empty()) error("D19", {"bodies"}, fmt::format("block \"{}\" belongs to no body - every block needs a material", mesh.blocks[b].name));
+      if (owner[b].empty())
+        error("D19", {"bodies"},
+              fmt::format("block \"{}\" belongs to no body - every block needs a material", mesh.blocks[b].name));
   }
 
   std::vector<int> nodes_of(const std::string& name, const Path& path) {
@@ -135,7 +148,8 @@ class SceneMaker {
     return compiled;
   }
 
-  std::array<std::string, 3> places(const std::string& list, const std::string& name, const std::array<std::optional<std::string>, 3>& texts) const {
+  std::array<std::string, 3> places(const std::string& list, const std::string& name,
+                                    const std::array<std::optional<std::string>, 3>& texts) const {
     std::array<std::string, 3> where;
     for (int i = 0; i < 3; ++i)
       if (texts[i]) where[i] = deck_.error("D23", {list, name, std::string(1, "xyz"[i])}, "");
@@ -148,11 +162,12 @@ class SceneMaker {
     times.insert(times.end(), options_.time.stops.begin(), options_.time.stops.end());
     const Point& X = scene_.mesh.mesh.coordinates[node];
     for (double t : times) {
-      const double a = (*scene_.supports[first].displacement[axis])(t, X), b = (*scene_.supports[second].displacement[axis])(t, X);
+      const double a = (*scene_.supports[first].displacement[axis])(t, X),
+                   b = (*scene_.supports[second].displacement[axis])(t, X);
       if (std::abs(a - b) <= 1e-12 * (1 + std::abs(a))) continue;
       error("D21", {"supports", scene_.supports[second].name, std::string(1, "xyz"[axis])},
-            fmt::format("{}, component {}, is moved by {} here and by {} in \"{}\" at t = {} - one value is needed", describe_node(scene_.mesh, node),
-                        "xyz"[axis], b, a, scene_.supports[first].name, t));
+            fmt::format("{}, component {}, is moved by {} here and by {} in \"{}\" at t = {} - one value is needed",
+                        describe_node(scene_.mesh, node), "xyz"[axis], b, a, scene_.supports[first].name, t));
       return;
     }
   }
@@ -212,10 +227,12 @@ class SceneMaker {
       pair.secondary_nodes = pair.secondary.nodes();
       const auto primary_nodes = pair.primary.nodes();
       std::vector<int> shared;
-      std::set_intersection(pair.secondary_nodes.begin(), pair.secondary_nodes.end(), primary_nodes.begin(), primary_nodes.end(), std::back_inserter(shared));
+      std::set_intersection(pair.secondary_nodes.begin(), pair.secondary_nodes.end(), primary_nodes.begin(), primary_nodes.end(),
+                            std::back_inserter(shared));
       if (!shared.empty()) {
-        error("D19", {"contact", name}, fmt::format("secondary and primary share {} nodes (first: {}) - two surfaces without common nodes are needed",
-                                                    shared.size(), describe_node(scene_.mesh, shared[0])));
+        error("D19", {"contact", name},
+              fmt::format("secondary and primary share {} nodes (first: {}) - two surfaces without common nodes are needed",
+                          shared.size(), describe_node(scene_.mesh, shared[0])));
         continue;
       }
       pair.first_multiplier = scene_.n_multipliers;
@@ -223,7 +240,9 @@ class SceneMaker {
       for (int node : pair.secondary_nodes) {
         const auto [at, is_new] = secondary_of.insert({node, name});
         if (is_new) continue;
-        error("D19", {"contact", name, "secondary"}, fmt::format("{} is on the secondary side of \"{}\" too - swap the sides of one pair", describe_node(scene_.mesh, node), at->second));
+        error("D19", {"contact", name, "secondary"},
+              fmt::format("{} is on the secondary side of \"{}\" too - swap the sides of one pair",
+                          describe_node(scene_.mesh, node), at->second));
         break;
       }
       const double area = facet_areas(pair.secondary, pair.secondary_nodes, pair.tributary_area);
@@ -233,7 +252,10 @@ class SceneMaker {
       pair.youngs_modulus = modulus_behind(*secondary);
       pair.primary_youngs_modulus = modulus_behind(*primary);
       if (pair.size > 3 * pair.primary_size)
-        warnings_.push_back(fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap them for a sharper pressure", name, pair.size, pair.primary_size));
+        warnings_.push_back(
+            fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap "
+                        "them for a sharper pressure",
+                        name, pair.size, pair.primary_size));
       scene_.pairs.push_back(std::move(pair));
     }
   }

@@ -58,7 +58,7 @@ struct ContactPair {
   int quadrature_degree;
   double size;            ///< edge of the secondary facets [m]: square root of their mean area
   double youngs_modulus;  ///< of the secondary body [Pa]
-  double primary_size;            ///< the same of the primary side
+  double primary_size;    ///< the same of the primary side
   double primary_youngs_modulus;
 };
 

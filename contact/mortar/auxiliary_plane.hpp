@@ -16,7 +16,8 @@ struct AuxiliaryPlane {
   double y[16];         ///< in-plane coordinates [m]: secondary nodes, then primary nodes
   double height[8];     ///< distance of each node from the plane along n [m]
 
-  /// Projects a pair. @param x the 4 secondary, then the 4 primary nodes [m]  @param normals unit nodal normals of the secondary facet
+  /// Projects a pair. @param x the 4 secondary, then the 4 primary nodes [m]  @param normals unit nodal normals of the secondary
+  /// facet
   static AuxiliaryPlane project(const std::array<Vec3<double>, 8>& x, const std::array<Vec3<double>, 4>& normals) {
     AuxiliaryPlane p;
     p.centre = 0.25 * ((x[0] + x[1]) + (x[2] + x[3]));

@@ -10,8 +10,8 @@ namespace mortise {
 
 /// The facets round a node: for each, the positions (in the list of patch nodes) of the next and previous node around that facet.
 struct NodePatch {
-  std::vector<int> nodes;                     ///< patch nodes; the node itself is nodes[0]
-  std::vector<std::array<int, 2>> corners;    ///< per facet: next, previous (indices into `nodes`)
+  std::vector<int> nodes;                   ///< patch nodes; the node itself is nodes[0]
+  std::vector<std::array<int, 2>> corners;  ///< per facet: next, previous (indices into `nodes`)
 };
 
 /// Cross product of the two edges that leave the node in one facet; its direction is the facet's normal at the node.

@@ -11,12 +11,13 @@ namespace mortise {
 /// the variation of  sum_I p_I (n_I . g_I),  g_I = D_IJ x1_J - M_IK x2_K,  with D and M held.
 template <class T>
 struct PairShares {
-  std::array<Vec3<T>, 8> force;     ///< residual share of each node [N]: p_I n_I D_IJ on the secondary, -p_I n_I M_IK on the primary
-  std::array<Vec3<T>, 4> n_load;    ///< conjugate to the nodal normal: p_I g_I [N m]
-  std::array<T, 4> weighted_gap;    ///< -n_I . g_I [m^3], positive when open
+  std::array<Vec3<T>, 8> force;  ///< residual share of each node [N]: p_I n_I D_IJ on the secondary, -p_I n_I M_IK on the primary
+  std::array<Vec3<T>, 4> n_load;  ///< conjugate to the nodal normal: p_I g_I [N m]
+  std::array<T, 4> weighted_gap;  ///< -n_I . g_I [m^3], positive when open
 };
 
-/// @param x 4 secondary, 4 primary nodes [m], best relative to the facet's centre  @param n unit nodal normals  @param p nodal pressures [Pa]
+/// @param x 4 secondary, 4 primary nodes [m], best relative to the facet's centre  @param n unit nodal normals  @param p nodal
+/// pressures [Pa]
 template <class T>
 PairShares<T> pair_shares(const std::array<Vec3<T>, 8>& x, const std::array<Vec3<T>, 4>& n, const std::array<T, 4>& p,
                           const MortarIntegrals<T>& integrals) {

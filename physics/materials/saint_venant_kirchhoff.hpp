@@ -6,7 +6,8 @@
 
 namespace mortise {
 
-/// Saint Venant-Kirchhoff solid (thesis eq. 3.106), E = (F^T F - I)/2. Softens and fails in strong compression: for moderate strain.
+/// Saint Venant-Kirchhoff solid (thesis eq. 3.106), E = (F^T F - I)/2. Softens and fails in strong compression: for moderate
+/// strain.
 ///   W(F) = lambda/2 (tr E)^2 + mu E : E
 struct SaintVenantKirchhoff {
   static constexpr const char* name = "saint venant-kirchhoff";

@@ -4,7 +4,8 @@
 
 namespace mortise {
 
-BodyTerm::BodyTerm(const Scene& scene, const Body& body, const Partition& partition, const DofSpace& dofs) : body_(body), dofs_(dofs) {
+BodyTerm::BodyTerm(const Scene& scene, const Body& body, const Partition& partition, const DofSpace& dofs)
+    : body_(body), dofs_(dofs) {
   const Mesh& mesh = scene.mesh.mesh;
   const int rank = dofs.comm()->getRank();
   for (int e : body.elements) {

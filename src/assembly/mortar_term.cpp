@@ -24,7 +24,8 @@ MortarTerm::MortarTerm(const Scene& scene, const ContactPair& pair, const Partit
     Facet facet;
     facet.index = static_cast<int>(k);
     for (int a = 0; a < 4; ++a) {
-      facet.corner[a] = static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), pair.secondary.facets[k][a]) - nodes.begin());
+      facet.corner[a] =
+          static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), pair.secondary.facets[k][a]) - nodes.begin());
       if (first_facet_[facet.corner[a]] < 0) first_facet_[facet.corner[a]] = static_cast<int>(facets_.size());
     }
     list_points(facet);

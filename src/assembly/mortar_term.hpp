@@ -12,15 +12,16 @@ namespace mortise {
 
 /// Work done by a pair since the start, counted so that "absent effects cost nothing" can be checked.
 struct ContactCounts {
-  long searches = 0;       ///< tree queries for all facets
-  long pairs = 0;          ///< facet pairs projected and clipped
-  long overlaps = 0;       ///< of these, with an overlap
-  long turned_away = 0;    ///< of these, not facing each other within 80 degrees
+  long searches = 0;     ///< tree queries for all facets
+  long pairs = 0;        ///< facet pairs projected and clipped
+  long overlaps = 0;     ///< of these, with an overlap
+  long turned_away = 0;  ///< of these, not facing each other within 80 degrees
 };
 
 /// Sums over the facets round each secondary node, on the overlap at the indices of its pressure.
 struct NodalSums {
-  explicit NodalSums(const DofSpace& dofs) : weighted_gap(dofs.overlap_map()), covered_area(dofs.overlap_map()), whole_area(dofs.overlap_map()) {}
+  explicit NodalSums(const DofSpace& dofs)
+      : weighted_gap(dofs.overlap_map()), covered_area(dofs.overlap_map()), whole_area(dofs.overlap_map()) {}
   Vector weighted_gap, covered_area, whole_area;
 };
 
@@ -38,8 +39,8 @@ class MortarTerm {
   void append_cells(std::vector<Cell>& cells);
 
   /// Evaluates all pairs at positions and pressures `x` (overlap). Adds to nodal sums on the overlap, at the pressures' indices:
-  /// weighted gap [m^3], covered area and whole area (as if all of the surface were covered) [m^2]; and the contact force to the rows of
-  /// the nodes in `f`.
+  /// weighted gap [m^3], covered area and whole area (as if all of the surface were covered) [m^2]; and the contact force to the
+  /// rows of the nodes in `f`.
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums);
 
   /// Adds the tangent; the row of a pressure is  gap_row d(weighted gap) + area_row d(covered area).
@@ -55,18 +56,19 @@ class MortarTerm {
   /// Averaged unit normals of all secondary nodes at positions `x` (overlap).
   std::vector<Vec3<double>> normals(const double* x) const;
 
-  /// Greatest relative closure error |covered - facet area| / facet area over fully covered facets in the last `integrate`, and their number.
+  /// Greatest relative closure error |covered - facet area| / facet area over fully covered facets in the last `integrate`, and
+  /// their number.
   std::pair<double, int> closure() const { return {closure_, n_covered_}; }
 
  private:
   struct Facet {
-    int index;                         // in pair_.secondary.facets
-    std::array<int, 4> corner;         // positions of its nodes in pair_.secondary_nodes
-    std::vector<int> candidates;       // primary facets
-    std::vector<int> points;           // patch nodes (its own four first), primary nodes, pressures
+    int index;                    // in pair_.secondary.facets
+    std::array<int, 4> corner;    // positions of its nodes in pair_.secondary_nodes
+    std::vector<int> candidates;  // primary facets
+    std::vector<int> points;      // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
-    std::vector<double> matrix;        // last tangent over the unknowns of `points`, then 4 rows of the covered areas
+    std::vector<double> matrix;                  // last tangent over the unknowns of `points`, then 4 rows of the covered areas
   };
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
@@ -80,9 +82,9 @@ class MortarTerm {
   const ContactPair& pair_;
   const DofSpace& dofs_;
   const std::vector<TrianglePoint>& rule_;
-  std::vector<NodePatch> patches_;       // per secondary node
+  std::vector<NodePatch> patches_;  // per secondary node
   std::vector<Facet> facets_;
-  std::vector<int> first_facet_;         // per secondary node: the facet of this rank that carries its curvature, -1: none
+  std::vector<int> first_facet_;  // per secondary node: the facet of this rank that carries its curvature, -1: none
   std::size_t first_cell_ = 0;
   // state of the last evaluation, per secondary node used on this rank
   std::vector<Vec3<double>> normal_, load_;

@@ -91,7 +91,8 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
   return true;
 }
 
-void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b, std::vector<double>& H) {
+void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b,
+                          std::vector<double>& H) {
   constexpr int chunk = 30;  // directions at a time: an inner node of a regular surface has 9 patch nodes, 27 directions
   using Fad = Sacado::Fad::SFad<double, chunk>;
   const int n = 3 * static_cast<int>(x.size());
@@ -104,7 +105,8 @@ void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>
     }
     normal_pull_back(patch, x_ad, b_ad, force);
     for (int r = 0; r < n; ++r)
-      for (int c = first; c < std::min(n, first + chunk); ++c) H[static_cast<std::size_t>(r) * n + c] += force[r / 3][r % 3].dx(c - first);
+      for (int c = first; c < std::min(n, first + chunk); ++c)
+        H[static_cast<std::size_t>(r) * n + c] += force[r / 3][r % 3].dx(c - first);
   }
 }
 

@@ -29,11 +29,13 @@ struct PairTangent : PairOutput {
 /// @return false if the facets do not overlap (all shares are zero then)
 bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule, PairOutput& out);
 
-/// As `pair_values`, with the complete derivative: D and M by AD over 16 in-plane coordinates and pulled back in closed form, then the
-/// pair's equations by AD over all 40 inputs. @see pair_residual.hpp
+/// As `pair_values`, with the complete derivative: D and M by AD over 16 in-plane coordinates and pulled back in closed form,
+/// then the pair's equations by AD over all 40 inputs. @see pair_residual.hpp
 bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out);
 
-/// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch nodes, added to `H`.
-void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b, std::vector<double>& H);
+/// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch
+/// nodes, added to `H`.
+void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b,
+                          std::vector<double>& H);
 
 }  // namespace mortise

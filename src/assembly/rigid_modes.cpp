@@ -11,7 +11,8 @@
 namespace mortise {
 namespace {
 
-constexpr const char* mode_names[6] = {"translation x", "translation y", "translation z", "rotation x", "rotation y", "rotation z"};
+constexpr const char* mode_names[6] = {"translation x", "translation y", "translation z",
+                                       "rotation x",    "rotation y",    "rotation z"};
 
 struct Frame {
   Point centre{};
@@ -30,7 +31,8 @@ Frame frame_of(const Scene& scene, const Body& body) {
 
 // Displacement along d at X, for each of the six modes of a body.
 std::array<double, 6> motion(const Frame& frame, const Point& X, const Vec3<double>& d) {
-  const Vec3<double> r{(X[0] - frame.centre[0]) / frame.length, (X[1] - frame.centre[1]) / frame.length, (X[2] - frame.centre[2]) / frame.length};
+  const Vec3<double> r{(X[0] - frame.centre[0]) / frame.length, (X[1] - frame.centre[1]) / frame.length,
+                       (X[2] - frame.centre[2]) / frame.length};
   const Vec3<double> moment = cross(r, d);
   return {d[0], d[1], d[2], moment[0], moment[1], moment[2]};
 }
@@ -98,21 +100,25 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
 
   std::vector<double> eigenvalues(n), work(64 * static_cast<std::size_t>(n));
   int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, RtR.data(), n, eigenvalues.data(), work.data(), static_cast<int>(work.size()), &info);
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, RtR.data(), n, eigenvalues.data(), work.data(), static_cast<int>(work.size()),
+                                      &info);
   std::vector<std::vector<double>> basis;
   for (int k = 0; k < n; ++k)
-    if (eigenvalues[k] <= 1e-10 * std::max(1.0, eigenvalues[n - 1])) basis.emplace_back(&RtR[static_cast<std::size_t>(k) * n], &RtR[static_cast<std::size_t>(k) * n] + n);
+    if (eigenvalues[k] <= 1e-10 * std::max(1.0, eigenvalues[n - 1]))
+      basis.emplace_back(&RtR[static_cast<std::size_t>(k) * n], &RtR[static_cast<std::size_t>(k) * n] + n);
   if (basis.empty()) return {};
   reduce(basis);
 
   std::vector<FreeBody> found;
   for (const auto& mode : basis) {
-    const int largest = static_cast<int>(std::max_element(mode.begin(), mode.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - mode.begin());
+    const int largest = static_cast<int>(
+        std::max_element(mode.begin(), mode.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }) - mode.begin());
     const std::string& name = scene.bodies[largest / 6].name;
     std::vector<std::string> parts;
     for (int k = 0; k < n; ++k) {
       if (std::abs(mode[k]) < 1e-6) continue;
-      const std::string motion_name = std::abs(mode[k] - 1) < 1e-6 ? mode_names[k % 6] : fmt::format("{:.3g} {}", mode[k], mode_names[k % 6]);
+      const std::string motion_name =
+          std::abs(mode[k] - 1) < 1e-6 ? mode_names[k % 6] : fmt::format("{:.3g} {}", mode[k], mode_names[k % 6]);
       parts.push_back(k / 6 == largest / 6 ? motion_name : fmt::format("{} of \"{}\"", motion_name, scene.bodies[k / 6].name));
     }
     auto at = std::find_if(found.begin(), found.end(), [&](const FreeBody& b) { return b.body == name; });

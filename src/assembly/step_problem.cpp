@@ -35,7 +35,8 @@ void all_reduce(const Comm& comm, Teuchos::EReductionType type, std::vector<T>& 
 double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where) {
   const double v = formula(t, X);
   if (!std::isfinite(v))
-    throw DeckError(fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]));
+    throw DeckError(
+        fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]));
   return v;
 }
 
@@ -80,7 +81,8 @@ void StepProblem::begin_step(const State& from, double t) {
     for (const auto& [node, weight] : traction.weights) {
       if (!dofs_.owned(node)) continue;
       for (int i = 0; i < 3; ++i)
-        if (traction.traction[i]) f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
+        if (traction.traction[i])
+          f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
     }
 }
 
@@ -153,7 +155,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   {
     const Stopwatch watch(counts_.seconds_elements);
     for (auto& body : bodies_) {
-      const bool good = with_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_) : body->add_force(data(*overlap_x), data(internal));
+      const bool good = with_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_)
+                                     : body->add_force(data(*overlap_x), data(internal));
       if (!good) admissible[0] = 0;
       if (with_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
     }
@@ -233,9 +236,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   return out;
 }
 
-// A node that is hardly covered constrains the same motion as its neighbours, with next to no area to press on: its pressure would jump
-// from nothing to any size at the first touch of an edge. So the law yields there: gap + s p = 0 with s growing as the cover shrinks, and
-// s = 0 where the node is fully covered.
+// A node that is hardly covered constrains the same motion as its neighbours, with next to no area to press on: its pressure
+// would jump from nothing to any size at the first touch of an edge. So the law yields there: gap + s p = 0 with s growing as the
+// cover shrinks, and s = 0 where the node is fully covered.
 double yielding(const ContactPair& pair, double covered, double whole) {
   constexpr double share = 1e-2;
   const double lacking = whole / covered - 1;
@@ -244,7 +247,8 @@ double yielding(const ContactPair& pair, double covered, double whole) {
 
 void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, Vector& gap_row, Vector& area_row) {
   out.compliance = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row), *compliance = data(*out.compliance);
+  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row),
+         *compliance = data(*out.compliance);
   const double *area = data(*out.area), *pressure = data(x), *whole = data(whole_area);
   out.closed.assign(scene_.n_multipliers, 0);
   out.covered.assign(scene_.n_multipliers, 0);
@@ -279,8 +283,9 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
   for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
 }
 
-// c_n [Pa/m]: both bodies' normal stiffness per area in series, k_I / A_I of the secondary node and E/h of the primary body, so that the
-// softer one rules. (The stiff side's own k_I / A_I would open every node of a hard indenter at the slightest residual gap.)
+// c_n [Pa/m]: both bodies' normal stiffness per area in series, k_I / A_I of the secondary node and E/h of the primary body, so
+// that the softer one rules. (The stiff side's own k_I / A_I would open every node of a hard indenter at the slightest residual
+// gap.)
 double StepProblem::complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const {
   const double secondary = std::max(normal_stiffness_[pair.first_multiplier + k] / covered_area, pair.youngs_modulus / pair.size);
   return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
@@ -353,9 +358,9 @@ State StepProblem::initial_state() {
   for (const auto& pair : scene_.pairs)
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       if (deep[pair.first_multiplier + k])
-        messages.push_back(fmt::format("error[M41] contact > {}: {} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart",
-                                       pair.name, describe_node(scene_.mesh, pair.secondary_nodes[k]),
-                                       depth[pair.first_multiplier + k] / pair.size, pair.size));
+        messages.push_back(fmt::format(
+            "error[M41] contact > {}: {} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart", pair.name,
+            describe_node(scene_.mesh, pair.secondary_nodes[k]), depth[pair.first_multiplier + k] / pair.size, pair.size));
   if (!messages.empty()) throw MeshError(messages);
   return state;
 }

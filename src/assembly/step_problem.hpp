@@ -17,18 +17,18 @@ struct State {
 
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
 struct Evaluation {
-  bool admissible = false;          ///< det F > 0 everywhere; if false nothing else is of use
-  RCP<Vector> residual;             ///< f_int + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
+  bool admissible = false;  ///< det F > 0 everywhere; if false nothing else is of use
+  RCP<Vector> residual;     ///< f_int + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
-  RCP<Vector> gap;                  ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
-  RCP<Vector> area;                 ///< covered area at the rows of pressures [m^2]
-  RCP<Vector> compliance;           ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
-  double force_residual = 0;        ///< |R| over free positions [N]
-  double force_scale = 0;           ///< max(|f_int|, |f_ext|, |f_contact|) [N]
-  double gap_residual = 0;          ///< greatest |gap| of a closed node [m]
-  double support_residual = 0;      ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;         ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;        ///< per multiplier, on the rank that owns it: something lies opposite the node
+  RCP<Vector> gap;                          ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
+  RCP<Vector> area;                         ///< covered area at the rows of pressures [m^2]
+  RCP<Vector> compliance;                   ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
+  double force_residual = 0;                ///< |R| over free positions [N]
+  double force_scale = 0;                   ///< max(|f_int|, |f_ext|, |f_contact|) [N]
+  double gap_residual = 0;                  ///< greatest |gap| of a closed node [m]
+  double support_residual = 0;              ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;                 ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;                ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
 };
 
@@ -47,23 +47,25 @@ class StepProblem {
   const DofSpace& dofs() const { return dofs_; }
   const Scene& scene() const { return scene_; }
 
-  /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section 8).
+  /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section
+  /// 8).
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
 
-  /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, and surfaces are searched as
-  /// far as they move from that state, so that nothing passes through unseen.
+  /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, and surfaces are
+  /// searched as far as they move from that state, so that nothing passes through unseen.
   /// @throws DeckError when a formula gives no finite number
   void begin_step(const State& from, double t);
   double time() const { return time_; }
 
   Evaluation evaluate(const Vector& x);
 
-  /// Residual and tangent. The rows of all covered pressures hold the derivative of the mean gap, whichever branch the law took: the
-  /// active set chooses (`find_direction`). The matrix belongs to the problem and holds until the next call.
+  /// Residual and tangent. The rows of all covered pressures hold the derivative of the mean gap, whichever branch the law took:
+  /// the active set chooses (`find_direction`). The matrix belongs to the problem and holds until the next call.
   Evaluation linearise(const Vector& x, RCP<Matrix>& tangent);
 
-  /// Unknowns whose row is the identity after an evaluation: supported components and uncovered pressures. On the owned map, 1 or 0.
+  /// Unknowns whose row is the identity after an evaluation: supported components and uncovered pressures. On the owned map, 1 or
+  /// 0.
   const std::vector<char>& identity_rows() const { return identity_rows_; }
 
   /// Number of times the graph was made; a direct solver repeats its analysis when it changes.
@@ -76,7 +78,8 @@ class StepProblem {
   /// Positions and pressures with copies of the other ranks' values.
   RCP<Vector> to_overlap(const Vector& owned) const;
 
-  /// A quantity of every node (3 values) or pressure (1 value) on every rank, from an owned vector: for output. Index as global unknowns.
+  /// A quantity of every node (3 values) or pressure (1 value) on every rank, from an owned vector: for output. Index as global
+  /// unknowns.
   std::vector<double> gather(const Vector& owned) const;
 
   /// Sum of the contact forces of one pair on its secondary surface [N] (the force acts on the body).
@@ -100,13 +103,13 @@ class StepProblem {
   std::vector<std::unique_ptr<MortarTerm>> pairs_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
-  RCP<Vector> start_x_;                  // overlap positions at the start of the step
-  RCP<Vector> search_x_;                 // overlap positions of the last search
-  double reach_ = 0;                     // of the last search [m]
+  RCP<Vector> start_x_;   // overlap positions at the start of the step
+  RCP<Vector> search_x_;  // overlap positions of the last search
+  double reach_ = 0;      // of the last search [m]
   double time_ = 0;
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
-  RCP<Vector> external_;                 // owned
-  std::vector<double> normal_stiffness_; // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
+  RCP<Vector> external_;                            // owned
+  std::vector<double> normal_stiffness_;            // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
   std::vector<char> identity_rows_;
   WorkCounts counts_;
 };

@@ -52,8 +52,8 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
         }
     }
   values_ = values;
-  overlap_ = Teuchos::rcp(new Matrix(LocalMatrix("tangent", n_rows, n_rows, n_entries, values, row_start, columns), dofs.overlap_map(),
-                                     dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map()));
+  overlap_ = Teuchos::rcp(new Matrix(LocalMatrix("tangent", n_rows, n_rows, n_entries, values, row_start, columns),
+                                     dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map()));
 
   for (const auto& cell : cells) {
     Scatter s;

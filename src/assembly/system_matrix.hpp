@@ -29,9 +29,9 @@ class SystemMatrix {
 
  private:
   struct Scatter {
-    std::vector<int> size;     // unknowns per point of the cell
-    std::vector<int> start;    // n x n: index in values_ of the first entry of block (a, b); -1: not coupled
-    std::vector<int> stride;   // row length of point a
+    std::vector<int> size;    // unknowns per point of the cell
+    std::vector<int> start;   // n x n: index in values_ of the first entry of block (a, b); -1: not coupled
+    std::vector<int> stride;  // row length of point a
   };
   const DofSpace& dofs_;
   Kokkos::View<double*, Kokkos::HostSpace> values_;

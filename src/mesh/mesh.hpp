@@ -12,8 +12,8 @@ using Point = std::array<double, 3>;
 
 /// One block of hex8 elements, with the nodes of each element in Exodus order.
 struct Block {
-  std::int64_t id = 1;               ///< Exodus block id, > 0
-  std::string name;                  ///< may be empty
+  std::int64_t id = 1;                       ///< Exodus block id, > 0
+  std::string name;                          ///< may be empty
   std::vector<std::array<int, 8>> elements;  ///< 0-based indices into Mesh::coordinates
 };
 

@@ -33,20 +33,23 @@ Vector increment(const StepProblem& problem, const State& before, const State& n
 
 }  // namespace
 
-History::History(const StepProblem& problem, const std::filesystem::path& file) : file_(file), writes_(problem.dofs().comm()->getRank() == 0) {
+History::History(const StepProblem& problem, const std::filesystem::path& file)
+    : file_(file), writes_(problem.dofs().comm()->getRank() == 0) {
   const Scene& scene = problem.scene();
   columns_ = {"step", "time", "dt", "newton_iterations", "cuts", "active", "stick", "slip"};
   for (const auto& pair : scene.pairs)
     for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("contact_force_{}.{}", axis, pair.name));
   for (const auto& support : scene.supports)
     for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("reaction_{}.{}", axis, support.name));
-  for (const char* name : {"kinetic_energy", "strain_energy", "stick_energy", "total_energy", "external_work", "contact_work", "contact_work_closing",
-                           "contact_work_resegmentation", "friction_dissipation", "damping_dissipation", "algorithmic_dissipation", "residual_work",
-                           "ledger_mismatch", "linear_momentum_x", "linear_momentum_y", "linear_momentum_z", "angular_momentum_x",
-                           "angular_momentum_y", "angular_momentum_z"})
+  for (const char* name :
+       {"kinetic_energy", "strain_energy", "stick_energy", "total_energy", "external_work", "contact_work",
+        "contact_work_closing", "contact_work_resegmentation", "friction_dissipation", "damping_dissipation",
+        "algorithmic_dissipation", "residual_work", "ledger_mismatch", "linear_momentum_x", "linear_momentum_y",
+        "linear_momentum_z", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z"})
     columns_.emplace_back(name);
   for (const auto& probe : scene.probes) columns_.push_back(fmt::format("{}.{}", probe.quantity, probe.name));
-  for (const char* name : {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})
+  for (const char* name :
+       {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})
     columns_.emplace_back(name);
   for (const auto& pair : scene.pairs) columns_.push_back(fmt::format("closure_error.{}", pair.name));
   if (!writes_) return;
@@ -81,8 +84,9 @@ void History::update_works(StepProblem& problem, const State& before, const Stat
       rest[k] = 0;
     }
   }
-  const double internal = at.internal->dot(dq), contact = -at.contact->dot(dq), external = at.external->dot(dq) + reaction.dot(dq),
-               residual = out_of_balance.dot(dq), stored = strain_energy_ - energy_before, algorithmic = internal - stored;
+  const double internal = at.internal->dot(dq), contact = -at.contact->dot(dq),
+               external = at.external->dot(dq) + reaction.dot(dq), residual = out_of_balance.dot(dq),
+               stored = strain_energy_ - energy_before, algorithmic = internal - stored;
   double closing = 0, both_ends = 0;
   std::vector<double> weighted_gap;
   if (!scene.pairs.empty()) {
@@ -122,8 +126,14 @@ void History::observe(StepProblem& problem, const State& before, const State& no
   }
   closed_before_ = at.closed;
 
-  std::vector<double> row{static_cast<double>(record.step), record.time, record.dt, static_cast<double>(record.newton_iterations),
-                          static_cast<double>(record.cuts), static_cast<double>(at.n_closed), 0.0, 0.0};
+  std::vector<double> row{static_cast<double>(record.step),
+                          record.time,
+                          record.dt,
+                          static_cast<double>(record.newton_iterations),
+                          static_cast<double>(record.cuts),
+                          static_cast<double>(at.n_closed),
+                          0.0,
+                          0.0};
   for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
     const auto force = problem.force_on_secondary(*now.x, k);
     row.insert(row.end(), {force[0], force[1], force[2]});
@@ -138,8 +148,9 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     row.insert(row.end(), sum.begin(), sum.end());
   }
   // No inertia, friction or damping in a static scene: their shares are zero because the terms do not exist.
-  row.insert(row.end(), {0.0, strain_energy_, 0.0, strain_energy_, works_.external, works_.contact, works_.closing, works_.resegmentation, 0.0, 0.0,
-                         works_.algorithmic, works_.residual, works_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  row.insert(row.end(),
+             {0.0, strain_energy_, 0.0, strain_energy_, works_.external, works_.contact, works_.closing, works_.resegmentation,
+              0.0, 0.0, works_.algorithmic, works_.residual, works_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   for (const auto& probe : scene.probes) row.push_back(nodal_quantity(problem, now, at, probe.quantity)[probe.node]);
   const auto& counts = problem.counts();
   row.insert(row.end(), {counts.seconds_search, counts.seconds_contact, counts.seconds_elements, seconds_solve, seconds_output,

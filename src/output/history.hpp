@@ -20,8 +20,8 @@ class History {
   const std::vector<std::vector<double>>& rows() const { return rows_; }
 
   /// Appends the row of an accepted step. Collective; evaluates forces anew but changes nothing the march can see.
-  void observe(StepProblem& problem, const State& before, const State& now, const Evaluation& at, const StepRecord& record, double seconds_solve,
-               double seconds_output);
+  void observe(StepProblem& problem, const State& before, const State& now, const Evaluation& at, const StepRecord& record,
+               double seconds_solve, double seconds_output);
 
   /// Column number by name; -1 if there is none.
   int column(const std::string& name) const;

@@ -43,10 +43,12 @@ std::vector<double> component_of(const std::vector<double>& unknowns, int n, int
 
 }  // namespace
 
-std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at, const std::string& name) {
+std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at,
+                                   const std::string& name) {
   const int n = problem.dofs().n_nodes();
   const Scene& scene = problem.scene();
-  constexpr std::array<const char*, 7> stresses{"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx", "von_mises"};
+  constexpr std::array<const char*, 7> stresses{"stress_xx", "stress_yy", "stress_zz", "stress_xy",
+                                                "stress_yz", "stress_zx", "von_mises"};
   for (int c = 0; c < 7; ++c)
     if (name == stresses[c]) return nodal_stress(problem, state, c);
   const int axis = name.back() - 'x';
@@ -58,7 +60,8 @@ std::vector<double> nodal_quantity(const StepProblem& problem, const State& stat
     return values;
   }
   if (has_axis && name.rfind("reaction_", 0) == 0) {
-    const auto internal = problem.gather(*at.internal), contact = problem.gather(*at.contact), external = problem.gather(*at.external);
+    const auto internal = problem.gather(*at.internal), contact = problem.gather(*at.contact),
+               external = problem.gather(*at.external);
     std::vector<double> values(n, 0.0);
     for (const auto& p : scene.prescribed) {
       const std::size_t k = 3 * static_cast<std::size_t>(p.node) + axis;
@@ -67,11 +70,13 @@ std::vector<double> nodal_quantity(const StepProblem& problem, const State& stat
     return values;
   }
   if (name == "contact_pressure") return at_secondary_nodes(problem, problem.gather(*state.x));
-  if (name == "gap") return scene.pairs.empty() ? std::vector<double>(n, 0.0) : at_secondary_nodes(problem, problem.gather(*at.gap));
+  if (name == "gap")
+    return scene.pairs.empty() ? std::vector<double>(n, 0.0) : at_secondary_nodes(problem, problem.gather(*at.gap));
   if (name == "status") {
     std::vector<double> values(n, 0.0);
     for (const auto& pair : scene.pairs)
-      for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) values[pair.secondary_nodes[k]] = at.closed[pair.first_multiplier + k];
+      for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+        values[pair.secondary_nodes[k]] = at.closed[pair.first_multiplier + k];
     return values;
   }
   throw std::logic_error("no nodal quantity \"" + name + "\"");

@@ -23,7 +23,8 @@ class ResultsFile {
   ResultsFile(const ResultsFile&) = delete;
   ResultsFile& operator=(const ResultsFile&) = delete;
 
-  /// Appends a frame. @param nodal one value per node of the mesh for each name given at construction; @param global likewise one value
+  /// Appends a frame. @param nodal one value per node of the mesh for each name given at construction; @param global likewise one
+  /// value
   /// @throws FileError (e.g. disk full)
   void write(double time, const std::vector<std::vector<double>>& nodal, const std::vector<double>& global);
 

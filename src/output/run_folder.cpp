@@ -25,12 +25,17 @@ std::string on_off(bool on) { return on ? "on" : "off"; }
 
 void prepare_run_folder(const fs::path& folder, bool overwrite) {
   std::error_code failure;
-  if (fs::exists(folder) && !fs::is_directory(folder)) throw FileError(fmt::format("{}: error[I05] is a file - a folder for the results is needed", folder.string()));
+  if (fs::exists(folder) && !fs::is_directory(folder))
+    throw FileError(fmt::format("{}: error[I05] is a file - a folder for the results is needed", folder.string()));
   if (fs::exists(folder) && !fs::is_empty(folder)) {
-    const bool has_results = std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name); });
+    const bool has_results =
+        std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name); });
     if (!has_results)
-      throw FileError(fmt::format("{}: error[I05] holds other files and no results - name an empty folder with -o", folder.string()));
-    if (!overwrite) throw FileError(fmt::format("{}: error[I05] holds results already - use --overwrite, or another folder with -o", folder.string()));
+      throw FileError(
+          fmt::format("{}: error[I05] holds other files and no results - name an empty folder with -o", folder.string()));
+    if (!overwrite)
+      throw FileError(
+          fmt::format("{}: error[I05] holds results already - use --overwrite, or another folder with -o", folder.string()));
     for (const auto& name : run_files) fs::remove(folder / name, failure);
   }
   fs::create_directories(folder, failure);
@@ -55,7 +60,8 @@ std::string sha256_of_file(const fs::path& file) {
 
 std::string manifest(const Deck& deck, const StepProblem& problem, const std::string& linear_solver) {
   const Scene& scene = problem.scene();
-  std::string text = fmt::format("mortise {}\ndeck {}\n  sha256 {}\n", MORTISE_VERSION, deck.file().string(), sha256(deck.text()));
+  std::string text =
+      fmt::format("mortise {}\ndeck {}\n  sha256 {}\n", MORTISE_VERSION, deck.file().string(), sha256(deck.text()));
   for (const auto& [name, mesh] : deck.options().meshes) {
     if (mesh.file) {
       const fs::path file = deck.file().parent_path() / *mesh.file;
@@ -65,20 +71,25 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     }
   }
   const int n_q = 3 * problem.dofs().n_nodes();
-  text += fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures)\nelements {}\n", problem.dofs().comm()->getSize(),
-                      n_q + scene.n_multipliers, n_q, scene.n_multipliers, n_elements(scene.mesh.mesh));
-  text += fmt::format("copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are on every rank\n",
-                      problem.dofs().ghost_bytes());
+  text +=
+      fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures)\nelements {}\n", problem.dofs().comm()->getSize(),
+                  n_q + scene.n_multipliers, n_q, scene.n_multipliers, n_elements(scene.mesh.mesh));
+  text += fmt::format(
+      "copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are "
+      "on every rank\n",
+      problem.dofs().ghost_bytes());
   text += fmt::format("linear solver {}\neffects\n", linear_solver);
   for (const auto& body : scene.bodies)
     text += fmt::format("  internal force of \"{}\": on, {}, {} elements, tangent by AD of {}\n", body.name,
                         std::visit([](const auto& m) { return std::string(m.name); }, body.material), body.elements.size(),
                         body.tangent == TangentKind::whole_element ? "whole elements" : "quadrature points");
-  text += fmt::format("  inertia: off (static)\n  prescribed motion: {}\n  traction: {}\n  contact: {}\n  friction: off\n  damping: off\n",
-                      on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));
+  text += fmt::format(
+      "  inertia: off (static)\n  prescribed motion: {}\n  traction: {}\n  contact: {}\n  friction: off\n  damping: off\n",
+      on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));
   for (const auto& pair : scene.pairs)
-    text += fmt::format("  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}\n", pair.name,
-                        pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
+    text +=
+        fmt::format("  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}\n",
+                    pair.name, pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
   return text;
 }
 
@@ -90,7 +101,8 @@ std::vector<Expectation> check_expectations(const Scene& scene, const History& h
     Expectation result{name, e.value, e.tolerance, std::nan(""), false};
     double weight = 0, sum = 0;
     for (const auto& row : history.rows()) {
-      if (e.at_time && std::abs(row[time] - *e.at_time) <= 1e-12 * std::max(1.0, std::abs(*e.at_time))) result.found = row[column];
+      if (e.at_time && std::abs(row[time] - *e.at_time) <= 1e-12 * std::max(1.0, std::abs(*e.at_time)))
+        result.found = row[column];
       if (!e.mean_from) continue;
       const double share = std::min(row[dt], row[time] - *e.mean_from);  // of the step that lies behind `mean from`
       if (share <= 0) continue;
@@ -99,7 +111,8 @@ std::vector<Expectation> check_expectations(const Scene& scene, const History& h
     }
     if (e.mean_from && weight > 0) result.found = sum / weight;
     const bool by_magnitude = e.quantity.rfind("contact_force", 0) == 0 || e.quantity.rfind("reaction", 0) == 0;
-    const double found = by_magnitude ? std::abs(result.found) : result.found, expected = by_magnitude ? std::abs(e.value) : e.value;
+    const double found = by_magnitude ? std::abs(result.found) : result.found,
+                 expected = by_magnitude ? std::abs(e.value) : e.value;
     result.met = std::abs(found - expected) <= e.tolerance;
     results.push_back(result);
   }
@@ -118,19 +131,34 @@ void write_summary(const fs::path& file, const MarchSummary& summary, ExitCode c
             {"newton_iterations_of_rejected_steps", summary.wasted_iterations},
             {"ranks", problem.dofs().comm()->getSize()},
             {"cause", summary.cause},
-            {"seconds", {{"cpu_of_rank_0", cpu_seconds}, {"wall", wall_seconds}, {"search", counts.seconds_search}, {"contact", counts.seconds_contact},
-                         {"elements", counts.seconds_elements}, {"assembly", counts.seconds_assembly}, {"linear_solve", newton.seconds_linear()}}},
-            {"counts", {{"residuals", counts.evaluations}, {"tangents", counts.tangents}, {"element_tangents", counts.element_tangents}, {"graphs", counts.graphs}}}};
+            {"seconds",
+             {{"cpu_of_rank_0", cpu_seconds},
+              {"wall", wall_seconds},
+              {"search", counts.seconds_search},
+              {"contact", counts.seconds_contact},
+              {"elements", counts.seconds_elements},
+              {"assembly", counts.seconds_assembly},
+              {"linear_solve", newton.seconds_linear()}}},
+            {"counts",
+             {{"residuals", counts.evaluations},
+              {"tangents", counts.tangents},
+              {"element_tangents", counts.element_tangents},
+              {"graphs", counts.graphs}}}};
   if (const auto* direct = newton.linear_solver().direct())
-    json["direct_solver"] = {{"analyses", direct->analyses()}, {"factor_entries", direct->factor_entries()},
-                             {"seconds", {{"analysis", direct->seconds_analysis()}, {"factor", direct->seconds_factor()}, {"solve", direct->seconds_solve()}}}};
+    json["direct_solver"] = {
+        {"analyses", direct->analyses()},
+        {"factor_entries", direct->factor_entries()},
+        {"seconds",
+         {{"analysis", direct->seconds_analysis()}, {"factor", direct->seconds_factor()}, {"solve", direct->seconds_solve()}}}};
   for (const auto& pair : problem.pairs()) {
     const ContactCounts& c = pair->counts();
-    json["contact"][pair->pair().name] = {{"searches", c.searches}, {"pairs", c.pairs}, {"overlaps", c.overlaps}, {"turned_away", c.turned_away}};
+    json["contact"][pair->pair().name] = {
+        {"searches", c.searches}, {"pairs", c.pairs}, {"overlaps", c.overlaps}, {"turned_away", c.turned_away}};
   }
   json["expected"] = Json::array();
   for (const auto& e : expectations)
-    json["expected"].push_back({{"name", e.name}, {"expected", e.expected}, {"tolerance", e.tolerance}, {"found", e.found}, {"met", e.met}});
+    json["expected"].push_back(
+        {{"name", e.name}, {"expected", e.expected}, {"tolerance", e.tolerance}, {"found", e.found}, {"met", e.met}});
   std::ofstream out(file);
   out << json.dump(2) << '\n';
   out.close();

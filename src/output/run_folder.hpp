@@ -33,7 +33,8 @@ struct Expectation {
 std::vector<Expectation> check_expectations(const Scene& scene, const History& history);
 
 /// summary.json. @throws FileError
-void write_summary(const std::filesystem::path& file, const MarchSummary& summary, ExitCode code, const std::vector<Expectation>& expectations,
-                   const StepProblem& problem, const Newton& newton, double cpu_seconds, double wall_seconds);
+void write_summary(const std::filesystem::path& file, const MarchSummary& summary, ExitCode code,
+                   const std::vector<Expectation>& expectations, const StepProblem& problem, const Newton& newton,
+                   double cpu_seconds, double wall_seconds);
 
 }  // namespace mortise

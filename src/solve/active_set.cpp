@@ -77,7 +77,8 @@ class LinearisedStep {
     tangent_.apply(d, change_);
     std::vector<double> mine(closed_.size(), 0.0), all(closed_.size(), 0.0);
     if (!rows_.empty()) {
-      const auto pressure = x_.getData(), gap = at_.gap->getData(), compliance = at_.compliance->getData(), dp = d.getData(), row_change = change_.getData();
+      const auto pressure = x_.getData(), gap = at_.gap->getData(), compliance = at_.compliance->getData(), dp = d.getData(),
+                 row_change = change_.getData();
       for (const LawRow& row : rows_) {
         const int k = row.local;
         const double start = closed_[row.multiplier] ? pressure[k] : gap[k] + compliance[k] * pressure[k];
@@ -102,7 +103,8 @@ class LinearisedStep {
 /// Nodes with the wrong sign, beyond round-off: gaps below 1e-13 of the facet size, pressures below 1e-12 of the greatest.
 class WrongSigns {
  public:
-  WrongSigns(const Scene& scene, const std::vector<char>& closed, const std::vector<double>& slack) : closed_(closed), no_gap_(closed.size(), 0.0) {
+  WrongSigns(const Scene& scene, const std::vector<char>& closed, const std::vector<double>& slack)
+      : closed_(closed), no_gap_(closed.size(), 0.0) {
     for (const auto& pair : scene.pairs)
       for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) no_gap_[pair.first_multiplier + k] = 1e-13 * pair.size;
     for (std::size_t k = 0; k < slack.size(); ++k)
@@ -125,8 +127,8 @@ class WrongSigns {
 // Settles the wrong nodes with the matrix as it is. @return whether every sign is right now; the direction holds the result if so
 bool settle_by_influence(LinearisedStep& step, const WrongSigns& signs, std::vector<int> wrong, const std::vector<double>& slack,
                          Vector& direction, DirectionReport& report) {
-  std::vector<int> nodes;                        // of the small problem
-  std::vector<std::vector<double>> influences;   // of each of them on all slacks
+  std::vector<int> nodes;                       // of the small problem
+  std::vector<std::vector<double>> influences;  // of each of them on all slacks
   std::vector<RCP<Vector>> directions;
   while (!wrong.empty() && nodes.size() + wrong.size() <= most_influences) {
     for (int k : wrong) {
@@ -161,8 +163,8 @@ bool settle_by_influence(LinearisedStep& step, const WrongSigns& signs, std::vec
 
 }  // namespace
 
-DirectionReport find_direction(const StepProblem& problem, const Vector& x, const Evaluation& at, const Matrix& tangent, LinearSolver& linear,
-                               Vector& direction) {
+DirectionReport find_direction(const StepProblem& problem, const Vector& x, const Evaluation& at, const Matrix& tangent,
+                               LinearSolver& linear, Vector& direction) {
   DirectionReport report;
   LinearisedStep step(problem, x, at, tangent, linear);
   for (;;) {
@@ -180,7 +182,8 @@ DirectionReport find_direction(const StepProblem& problem, const Vector& x, cons
     const WrongSigns signs(problem.scene(), step.closed(), slack);
     const auto wrong = signs.in(slack);
     if (wrong.empty() || report.factorisations == most_factorisations) return report;
-    if (static_cast<int>(wrong.size()) <= most_influences && settle_by_influence(step, signs, wrong, slack, direction, report)) return report;
+    if (static_cast<int>(wrong.size()) <= most_influences && settle_by_influence(step, signs, wrong, slack, direction, report))
+      return report;
     auto closed = step.closed();
     for (int k : wrong) closed[k] = !closed[k];
     step.set_closed(closed);

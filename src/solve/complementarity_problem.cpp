@@ -16,7 +16,8 @@ bool solve_dense(std::vector<double> A, std::vector<double>& b) {
 
 }  // namespace
 
-std::optional<std::vector<double>> solve_complementarity(const std::vector<double>& M, const std::vector<double>& q, double no_sign) {
+std::optional<std::vector<double>> solve_complementarity(const std::vector<double>& M, const std::vector<double>& q,
+                                                         double no_sign) {
   const std::size_t n = q.size();
   std::vector<char> basic(n, 0);  // z may be positive, w = 0
   std::size_t fewest = n + 1;

@@ -22,14 +22,16 @@ constexpr long long largest_direct = 150000;
 
 std::variant<DirectSolver, IterativeSolver> choose(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) {
   const long long n = 3LL * dofs.n_nodes() + scene.n_multipliers;
-  const bool iterative = options.linear == LinearSolverKind::iterative || (options.linear == LinearSolverKind::automatic && n > largest_direct);
+  const bool iterative =
+      options.linear == LinearSolverKind::iterative || (options.linear == LinearSolverKind::automatic && n > largest_direct);
   if (iterative) return IterativeSolver(dofs.owned_map(), 3LL * dofs.n_nodes(), options);
   return DirectSolver(dofs.owned_map(), groups(scene, dofs));
 }
 
 }  // namespace
 
-LinearSolver::LinearSolver(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) : solver_(choose(scene, dofs, options)) {
+LinearSolver::LinearSolver(const Scene& scene, const DofSpace& dofs, const SolverOptions& options)
+    : solver_(choose(scene, dofs, options)) {
   const bool is_direct = direct() != nullptr;
   choice_ = fmt::format("{}{}", is_direct ? "direct (MUMPS, unsymmetric)" : "iterative (GMRES, RILUK blocks)",
                         options.linear == LinearSolverKind::automatic ? ", chosen by size" : "");

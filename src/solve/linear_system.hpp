@@ -11,13 +11,14 @@ namespace mortise {
 /// Outcome of one linear solve. A failure is a value, with its cause in words.
 struct LinearReport {
   bool solved = false;
-  std::string cause;            ///< why not
-  int iterations = 0;           ///< of an iterative solver; 0 for a direct one
-  double true_residual = 0;     ///< |b - A x| / |b|, always computed
-  int null_pivots = 0;          ///< of a direct solver: rank deficiency it met
+  std::string cause;         ///< why not
+  int iterations = 0;        ///< of an iterative solver; 0 for a direct one
+  double true_residual = 0;  ///< |b - A x| / |b|, always computed
+  int null_pivots = 0;       ///< of a direct solver: rank deficiency it met
 };
 
-/// The right-hand side's share of `eliminate_identity_columns`: b changes in all rows but the identities. @param A with its columns
+/// The right-hand side's share of `eliminate_identity_columns`: b changes in all rows but the identities. @param A with its
+/// columns
 void move_known_columns(const Matrix& A, const std::vector<char>& identity_rows, Vector& b);
 
 /// The matrix' share: the columns of identity rows become zero outside these rows.

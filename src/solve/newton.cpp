@@ -22,7 +22,8 @@ class StepLength : public NOX::LineSearch::Generic {
  public:
   explicit StepLength(std::shared_ptr<NewtonShared> shared) : shared_(std::move(shared)) {}
 
-  bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction, const NOX::Solver::Generic& solver) override {
+  bool compute(NOX::Abstract::Group& group, double& step, const NOX::Abstract::Vector& direction,
+               const NOX::Solver::Generic& solver) override {
     step = shared_->halve_next ? 0.5 : 1.0;
     shared_->halve_next = false;
     const auto& old = solver.getPreviousSolutionGroup();
@@ -44,7 +45,8 @@ class StepLength : public NOX::LineSearch::Generic {
 class StepLengthFactory : public NOX::LineSearch::UserDefinedFactory {
  public:
   explicit StepLengthFactory(std::shared_ptr<NewtonShared> shared) : shared_(std::move(shared)) {}
-  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&, Teuchos::ParameterList&) const override {
+  Teuchos::RCP<NOX::LineSearch::Generic> buildLineSearch(const Teuchos::RCP<NOX::GlobalData>&,
+                                                         Teuchos::ParameterList&) const override {
     return Teuchos::rcp(new StepLength(shared_));
   }
 
@@ -64,12 +66,21 @@ class StepStatus : public NOX::StatusTest::Generic {
     status_ = NOX::StatusTest::Unconverged;
     result_.iterations = iteration;
     if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause);
-    if (!group.isF() || !group.evaluation().admissible) return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
+    if (!group.isF() || !group.evaluation().admissible)
+      return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
     const Evaluation& e = group.evaluation();
     if (!std::isfinite(e.force_residual) || !std::isfinite(e.gap_residual)) return fail("the residual is not a finite number");
 
     const bool settled = compare_sets(e, unwrap(group.getX()));
-    NewtonLine line{e.force_residual, e.force_scale, e.gap_residual, e.n_closed, opened_, closed_, shared_->last_linear.iterations, shared_->last_linear.factorisations, shared_->last_linear.solves,
+    NewtonLine line{e.force_residual,
+                    e.force_scale,
+                    e.gap_residual,
+                    e.n_closed,
+                    opened_,
+                    closed_,
+                    shared_->last_linear.iterations,
+                    shared_->last_linear.factorisations,
+                    shared_->last_linear.solves,
                     shared_->last_step_length};
     result_.log.push_back(line);
 
@@ -121,7 +132,9 @@ class StepStatus : public NOX::StatusTest::Generic {
       std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
       for (std::size_t k = 0; k < changed.size(); ++k) {
         const int local = map.getLocalElement(first + changed[k]);
-        if (local != Teuchos::OrdinalTraits<int>::invalid() && (std::abs(gap[local]) > no_gap || std::abs(pressure[local]) > no_pressure)) matters[k] = 1;
+        if (local != Teuchos::OrdinalTraits<int>::invalid() &&
+            (std::abs(gap[local]) > no_gap || std::abs(pressure[local]) > no_pressure))
+          matters[k] = 1;
       }
       Teuchos::reduceAll(*map.getComm(), Teuchos::REDUCE_MAX, static_cast<int>(matters.size()), matters.data(), all.data());
       for (std::size_t k = 0; k < changed.size(); ++k)
@@ -176,7 +189,9 @@ StepResult Newton::solve(const State& from, double t) {
   const auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");
   list->sublist("Direction").set("Method", "Newton");
-  list->sublist("Direction").sublist("Newton").set("Rescue Bad Newton Solve", true);  // a failed solve ends in StepStatus, not in a throw
+  list->sublist("Direction")
+      .sublist("Newton")
+      .set("Rescue Bad Newton Solve", true);  // a failed solve ends in StepStatus, not in a throw
   list->sublist("Line Search").set("Method", "User Defined");
   list->sublist("Line Search")
       .set("User Defined Line Search Factory",
@@ -192,7 +207,8 @@ StepResult Newton::solve(const State& from, double t) {
   const auto solver = NOX::Solver::buildSolver(group, status, list);
   result.converged = solver->solve() == NOX::StatusTest::Converged;
   if (!result.converged) {
-    if (result.cause.empty()) result.cause = "the step length fell to nothing: every state along the Newton direction is inadmissible";
+    if (result.cause.empty())
+      result.cause = "the step length fell to nothing: every state along the Newton direction is inadmissible";
     return result;
   }
   const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());

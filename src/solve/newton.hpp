@@ -27,8 +27,8 @@ struct StepResult {
   Evaluation evaluation;  ///< at the new state
   int iterations = 0;
   std::vector<NewtonLine> log;
-  std::string cause;            ///< why not, in words
-  std::vector<int> unsettled;   ///< multipliers whose branch changed in the last iteration
+  std::string cause;           ///< why not, in words
+  std::vector<int> unsettled;  ///< multipliers whose branch changed in the last iteration
 };
 
 /// Solves step after step; keeps the linear solver with its analysis.

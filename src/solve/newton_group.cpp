@@ -29,7 +29,9 @@ NewtonGroup::NewtonGroup(std::shared_ptr<NewtonShared> shared, const RCP<Vector>
       direction_(wrap(Teuchos::rcp(new Vector(x->getMap())))) {}
 
 NewtonGroup::NewtonGroup(const NewtonGroup& source, NOX::CopyType type) : shared_(source.shared_) {
-  const auto copy = [type](const NOX::Abstract::Vector& v) { return Teuchos::rcp_dynamic_cast<NOX::Thyra::Vector>(v.clone(type)); };
+  const auto copy = [type](const NOX::Abstract::Vector& v) {
+    return Teuchos::rcp_dynamic_cast<NOX::Thyra::Vector>(v.clone(type));
+  };
   x_ = copy(*source.x_);
   f_ = copy(*source.f_);
   direction_ = copy(*source.direction_);
@@ -91,12 +93,15 @@ NOX::Abstract::Group::ReturnType NewtonGroup::computeNewton(Teuchos::ParameterLi
   return Failed;
 }
 
-NOX::Abstract::Group::ReturnType NewtonGroup::applyJacobian(const NOX::Abstract::Vector& input, NOX::Abstract::Vector& result) const {
+NOX::Abstract::Group::ReturnType NewtonGroup::applyJacobian(const NOX::Abstract::Vector& input,
+                                                            NOX::Abstract::Vector& result) const {
   if (!isJacobian()) return BadDependency;
   tangent_->apply(unwrap(input), unwrap(result));
   return Ok;
 }
 
-Teuchos::RCP<NOX::Abstract::Group> NewtonGroup::clone(NOX::CopyType type) const { return Teuchos::rcp(new NewtonGroup(*this, type)); }
+Teuchos::RCP<NOX::Abstract::Group> NewtonGroup::clone(NOX::CopyType type) const {
+  return Teuchos::rcp(new NewtonGroup(*this, type));
+}
 
 }  // namespace mortise

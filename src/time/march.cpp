@@ -27,14 +27,16 @@ std::string iteration_table(const StepResult& result) {
 std::string name_of_multiplier(const Scene& scene, int k) {
   for (const auto& pair : scene.pairs)
     if (k >= pair.first_multiplier && k < pair.first_multiplier + static_cast<int>(pair.secondary_nodes.size()))
-      return fmt::format("{} (pair \"{}\")", describe_node(scene.mesh, pair.secondary_nodes[k - pair.first_multiplier]), pair.name);
+      return fmt::format("{} (pair \"{}\")", describe_node(scene.mesh, pair.secondary_nodes[k - pair.first_multiplier]),
+                         pair.name);
   return "?";
 }
 
 std::string unsettled_nodes(const Scene& scene, const std::vector<int>& multipliers) {
   if (multipliers.empty()) return "";
   std::string text = ", unsettled: ";
-  for (std::size_t k = 0; k < std::min<std::size_t>(3, multipliers.size()); ++k) text += (k ? ", " : "") + name_of_multiplier(scene, multipliers[k]);
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, multipliers.size()); ++k)
+    text += (k ? ", " : "") + name_of_multiplier(scene, multipliers[k]);
   if (multipliers.size() > 3) text += fmt::format(" and {} more", multipliers.size() - 3);
   return text;
 }
@@ -54,7 +56,8 @@ double StepSize::next_time(double t) const {
 bool StepSize::is_stop(double t) const { return std::find(stops_.begin(), stops_.end(), t) != stops_.end(); }
 
 void StepSize::accepted(int newton_iterations) {
-  if (newton_iterations <= options_.easy_iterations) dt_ = std::min(options_.growth * dt_, options_.largest_step.value_or(options_.step));
+  if (newton_iterations <= options_.easy_iterations)
+    dt_ = std::min(options_.growth * dt_, options_.largest_step.value_or(options_.step));
 }
 
 bool StepSize::cut(double tried) {
@@ -62,8 +65,8 @@ bool StepSize::cut(double tried) {
   return dt_ >= options_.smallest_step.value_or(options_.step / 1024);
 }
 
-MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options, const std::vector<Observer>& observers,
-                   const Reporter& log, const Reporter& progress) {
+MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options,
+                   const std::vector<Observer>& observers, const Reporter& log, const Reporter& progress) {
   const Scene& scene = problem.scene();
   MarchSummary summary;
   StepSize size(options);
@@ -85,8 +88,10 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
       summary.wasted_iterations += result.iterations;
       const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
       const bool go_on = size.cut(dt);
-      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : "  next:  nothing, the smallest step is reached";
-      log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations, iteration_table(result), cause, next));
+      const std::string next =
+          go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : "  next:  nothing, the smallest step is reached";
+      log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
+                      iteration_table(result), cause, next));
       progress(fmt::format("{}: not converged, {}", head, cause));
       if (!go_on) {
         summary.code = ExitCode::no_convergence;
@@ -102,7 +107,8 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
     for (const auto& observe : observers) observe(state, result.state, result.evaluation, record);
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double to_go = elapsed * (options.end - t) / (t - initial.time);
-    progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations, result.evaluation.n_closed, to_go));
+    progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
+                         result.evaluation.n_closed, to_go));
     cuts = 0;
     size.accepted(result.iterations);
     state = result.state;

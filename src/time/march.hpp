@@ -15,8 +15,8 @@ struct StepRecord {
   int step = 0;
   double time = 0, dt = 0;
   int newton_iterations = 0;
-  int cuts = 0;                 ///< rejected attempts since the step before
-  bool is_stop = false;         ///< a time the deck asked for, or the end
+  int cuts = 0;          ///< rejected attempts since the step before
+  bool is_stop = false;  ///< a time the deck asked for, or the end
 };
 
 /// Called after every accepted step; must not change anything the march can see.
@@ -25,10 +25,10 @@ using Observer = std::function<void(const State& before, const State& now, const
 struct MarchSummary {
   ExitCode code = ExitCode::done;
   int steps = 0, cuts = 0;
-  long newton_iterations = 0;   ///< of accepted steps
-  long wasted_iterations = 0;   ///< of rejected attempts
+  long newton_iterations = 0;  ///< of accepted steps
+  long wasted_iterations = 0;  ///< of rejected attempts
   double end_time = 0;
-  std::string cause;            ///< why it ended early
+  std::string cause;  ///< why it ended early
 };
 
 /// The next step size: grows after an easy step, is halved after a failure, meets every stop exactly.
@@ -54,7 +54,7 @@ class StepSize {
 using Reporter = std::function<void(const std::string&)>;
 
 /// Marches a scene. @param log complete log of every iteration  @param progress one line per step
-MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options, const std::vector<Observer>& observers,
-                   const Reporter& log, const Reporter& progress);
+MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options,
+                   const std::vector<Observer>& observers, const Reporter& log, const Reporter& progress);
 
 }  // namespace mortise

@@ -1,40 +1,17 @@
-// Small things the mesh tests share: a folder that vanishes, the words of an error, and geometry of sides.
+// Small things the mesh tests share: the words of an error, and geometry of sides.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <string>
 
 #include "errors.hpp"
 #include "mesh/mesh.hpp"
+#include "support/scratch_folder.hpp"
 
 namespace mortise {
-
-/// A folder of its own under the system's temporary folder, removed with everything in it.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    static std::atomic<int> n_made{0};
-    path_ = std::filesystem::temp_directory_path() /
-            ("mortise_mesh_test_" + std::to_string(::getpid()) + "_" + std::to_string(n_made++));
-    std::filesystem::create_directories(path_);
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// The text of the MeshError that `action` throws; any other outcome fails the test.
 template <class Action>
