@@ -20,13 +20,14 @@ def arguments():
     parser.add_argument("-o", dest="out", metavar="OUT.png", required=True)
     parser.add_argument("--time", type=float, help="the frame nearest to this time; default: the last")
     parser.add_argument("--field", help="a nodal field; default: von_mises, else the first one there is")
+    parser.add_argument("--range", metavar="LOW,HIGH", help="of the colours; default: all values of the frame")
     parser.add_argument("--view", action="append", metavar="x,y,z",
                         help="from the scene to the eye, default: -0.45,-1,0.6; a further --view makes a further picture OUT_2.png")
     # A view starts with a minus sign as often as not: argparse wants it joined to its option.
     words, joined = sys.argv[1:], []
     while words:
         word = words.pop(0)
-        joined.append(word + "=" + words.pop(0) if word in ("--view", "--time") and words else word)
+        joined.append(word + "=" + words.pop(0) if word in ("--view", "--time", "--range") and words else word)
     options = parser.parse_args(joined)
     if not os.path.isfile(options.results):
         parser.error(f"no such file: {options.results}")
@@ -36,6 +37,12 @@ def arguments():
             raise ValueError
     except ValueError:
         parser.error("--view takes three numbers, not all zero, separated by commas")
+    try:
+        options.range = [float(c) for c in options.range.split(",")] if options.range else None
+        if options.range and not (len(options.range) == 2 and options.range[0] < options.range[1]):
+            raise ValueError
+    except ValueError:
+        parser.error("--range takes two ascending numbers, separated by a comma")
     return options
 
 
@@ -98,7 +105,7 @@ def place_camera(view, points, eye):
     return height
 
 
-def colour(display, reader, field, view):
+def colour(display, reader, field, view, chosen):
     ColorBy(display, ("POINTS", field, "Magnitude") if reader.PointData[field].GetNumberOfComponents() > 1 else ("POINTS", field))
     table = GetColorTransferFunction(field)
     table.ApplyPreset("Viridis (matplotlib)", True)
@@ -108,6 +115,8 @@ def colour(display, reader, field, view):
         low = 0.0
     if high - low <= 1e-12 * max(abs(low), abs(high)):  # a constant: a range that shows it as one
         low, high = low - 0.5 * (abs(low) or 1.0), high + 0.5 * (abs(high) or 1.0)
+    if chosen:
+        low, high = chosen
     table.RescaleTransferFunction(low, high)
     bar = GetScalarBar(table, view)
     bar.Title = field.rstrip("_").replace("_", " ").replace("von mises", "von Mises stress")
@@ -143,7 +152,7 @@ def main():
     display.LineWidth = 1.0
     display.Ambient, display.Diffuse, display.Specular = 0.35, 0.7, 0.0
     if field:
-        colour(display, reader, field, view)
+        colour(display, reader, field, view, options.range)
     else:
         display.ColorArrayName = ["POINTS", ""]
         display.DiffuseColor = display.AmbientColor = [0.75, 0.8, 0.85]

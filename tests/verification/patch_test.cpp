@@ -1,0 +1,123 @@
+// The contact patch test: a uniform state passes through the contact surface undisturbed, whatever the meshes.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "output/history.hpp"
+#include "physics/internal_force.hpp"
+#include "support/test_scene.hpp"
+
+namespace mortise::test {
+namespace {
+
+/// Uniaxial stress along `axis`: stretches and stress.
+struct Exact {
+  Vec3<double> axis;
+  double axial = 1, lateral = 1, stress = 0;  // Cauchy
+};
+
+// Thesis 3.130 in principal stretches: P_i = mu (l_i - 1/l_i) + lambda ln J / l_i. From P_lateral = 0 follows ln J, hence the axial
+// stretch, as a function of the lateral one; what is left is one equation for that: P_axial = `pressing`.
+Exact uniaxial(double youngs_modulus, double poissons_ratio, double pressing) {
+  const double mu = youngs_modulus / (2 * (1 + poissons_ratio)), lambda = youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
+  const auto axial = [&](double l) { return std::exp(-mu * (l * l - 1) / lambda) / (l * l); };
+  const auto miss = [&](double l) {
+    const double a = axial(l);
+    return mu * (a - l * l / a) - pressing;  // lambda ln J = -mu (l^2 - 1)
+  };
+  double l = 1 - poissons_ratio * pressing / youngs_modulus;
+  for (int k = 0; k < 20; ++k) {
+    const double a = axial(l), da = -a * (2 * mu * l / lambda + 2 / l), slope = mu * (da - 2 * l / a + l * l / (a * a) * da);
+    l -= miss(l) / slope;
+  }
+  return {{}, axial(l), l, pressing / (l * l)};
+}
+
+struct Case {
+  std::string deck;
+  Exact exact;
+};
+
+Exact along(Exact exact, const Vec3<double>& axis) {
+  exact.axis = axis;
+  return exact;
+}
+
+/// The inclined decks press the ends together by 10 %, with Poisson's ratio 0: P = mu (0.9 - 1/0.9).
+Exact inclined() { return {{0.5, 0, std::sqrt(0.75)}, 0.9, 1, 0.5e6 * (0.9 - 1 / 0.9)}; }
+
+class PatchTest : public testing::TestWithParam<Case> {
+ protected:
+  double position_error(const TestScene& s, const std::vector<double>& x) const {
+    const Exact& e = GetParam().exact;
+    double error = 0;
+    for (std::size_t n = 0; n < s.scene.mesh.mesh.coordinates.size(); ++n) {
+      const auto& c = s.scene.mesh.mesh.coordinates[n];
+      const Vec3<double> X{c[0], c[1], c[2]};
+      const Vec3<double> exact = e.lateral * X + ((e.axial - e.lateral) * dot(e.axis, X)) * e.axis;
+      for (int i = 0; i < 3; ++i) error = std::max(error, std::abs(x[3 * n + i] - exact[i]));
+    }
+    return error / 120;
+  }
+
+  double stress_at(int i, int j) const { return GetParam().exact.stress * GetParam().exact.axis[i] * GetParam().exact.axis[j]; }
+
+  double gauss_stress_error(const TestScene& s, const std::vector<double>& x) const {
+    double error = 0;
+    for (const auto& body : s.scene.bodies)
+      for (int e : body.elements) {
+        const auto& nodes = element_nodes(s.scene.mesh.mesh, e);
+        std::array<Point, 8> X;
+        double q[8][3];
+        for (int a = 0; a < 8; ++a)
+          for (int i = 0; i < 3; ++i) {
+            X[a][i] = s.scene.mesh.mesh.coordinates[nodes[a]][i];
+            q[a][i] = x[3 * static_cast<std::size_t>(nodes[a]) + i];
+          }
+        const auto geometry = hex8_geometry(X);
+        for (int g = 0; g < Hex8::n_points; ++g) {
+          const auto sigma = std::visit([&](const auto& m) { return cauchy_stress(m, geometry, g, q); }, body.material);
+          for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) error = std::max(error, std::abs(sigma(i, j) - stress_at(i, j)));
+        }
+      }
+    return error / std::abs(GetParam().exact.stress);
+  }
+
+  double nodal_stress_error(const TestScene& s, const Evaluation& at) const {
+    constexpr int index[6][2] = {{0, 0}, {1, 1}, {2, 2}, {0, 1}, {1, 2}, {2, 0}};
+    const auto names = variables_of_field("cauchy stress");
+    double error = 0;
+    for (int c = 0; c < 6; ++c)
+      for (double value : nodal_quantity(s.problem, s.state, at, names[c]))
+        error = std::max(error, std::abs(value - stress_at(index[c][0], index[c][1])));
+    return error / std::abs(GetParam().exact.stress);
+  }
+};
+
+TEST_P(PatchTest, StressAndPressureAreUniform) {
+  TestScene s(input_deck("patch_test/" + GetParam().deck + ".xml"), world(), [](Scene& scene) { scene.solver.further_iterations = 1; });
+  const auto run = s.march({0.5, 1});
+  ASSERT_TRUE(run.converged) << run.cause;
+  const auto x = s.gather(*s.state.x);
+  double pressure_error = 0;
+  for (std::size_t k = s.n_positions(); k < x.size(); ++k) pressure_error = std::max(pressure_error, std::abs(x[k] / -GetParam().exact.stress - 1));
+  const double position = position_error(s, x), gauss = gauss_stress_error(s, x), nodal = nodal_stress_error(s, run.at);
+  EXPECT_EQ(run.at.n_closed, s.scene.n_multipliers);
+  EXPECT_LE(position, 1e-12);
+  EXPECT_LE(gauss, 1e-10);
+  EXPECT_LE(nodal, 1e-10);
+  EXPECT_LE(pressure_error, 1e-10);
+  if (world()->getRank() == 0)
+    std::cout << GetParam().deck << ": errors of positions " << position << ", stress at Gauss points " << gauss << ", at nodes " << nodal << ", pressure "
+              << pressure_error << "; " << run.iterations << " iterations\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, PatchTest,
+                         testing::Values(Case{"contact", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})}, Case{"conforming", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
+                                         Case{"shifted", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})}, Case{"rotated", along(uniaxial(1e6, 0.3, -1e4), {0, 1, 0})},
+                                         Case{"inclined", inclined()}),
+                         [](const auto& info) { return info.param.deck; });
+
+}  // namespace
+}  // namespace mortise::test
