@@ -51,15 +51,15 @@ std::array<T, 4> shape_at(const Quad<T>& x, const Vec2<T>& point) {
 }
 
 /// int N_a da over a whole facet [m^2], exact.
-inline std::array<double, 4> facet_weights(const Quad<double>& x) {
-  std::array<double, 4> weights{};
+template <class T>
+std::array<T, 4> facet_weights(const Quad<T>& x) {
+  std::array<T, 4> weights{T(0.0), T(0.0), T(0.0), T(0.0)};
   constexpr double r = 0.21132486540518711775;  // (1 - 1/sqrt(3)) / 2
+  const Vec2<T> ds = x[1] - x[0], dt = x[3] - x[0], twist = Vec2<T>(x[2] - x[3]) - ds;
   for (const double s : {r, 1 - r})
     for (const double t : {r, 1 - r}) {
-      const auto ds = x[1] - x[0], dt = x[3] - x[0];
-      const Vec2<double> twist = (x[2] - x[3]) - ds;
-      const Vec2<double> along_s{ds.x + t * twist.x, ds.y + t * twist.y}, along_t{dt.x + s * twist.x, dt.y + s * twist.y};
-      const double area = 0.25 * cross(along_s, along_t);
+      const Vec2<T> along_s{T(ds.x + t * twist.x), T(ds.y + t * twist.y)}, along_t{T(dt.x + s * twist.x), T(dt.y + s * twist.y)};
+      const T area = 0.25 * cross(along_s, along_t);
       const auto N = bilinear_shape(s, t);
       for (int a = 0; a < 4; ++a) weights[a] += N[a] * area;
     }

@@ -5,6 +5,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <chrono>
+#include <cstdlib>
 #include <ctime>
 #include <fstream>
 #include <iostream>
@@ -162,7 +163,9 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
     if (is_root) log << line << std::flush;
   };
   // On a terminal one line that changes, in a file a line per step.
-  const bool on_terminal = isatty(STDOUT_FILENO) != 0;
+  // (mpirun gives its ranks a terminal of their own, wherever their output goes.)
+  const bool by_mpirun = std::getenv("OMPI_COMM_WORLD_SIZE") || std::getenv("PMI_SIZE");
+  const bool on_terminal = !by_mpirun && isatty(STDOUT_FILENO) != 0;
   const Reporter progress = [&](const std::string& line) {
     if (!is_root || options.quiet) return;
     std::cout << (on_terminal ? "\r\x1b[K" : "") << line << (on_terminal ? "" : "\n") << std::flush;

@@ -118,7 +118,7 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalS
     Facet& facet = facets_[first_facet_[k]];
     if (!with_tangent || dot(load_[k], load_[k]) == 0) continue;
     const int n = 3 * static_cast<int>(nodes.size());
-    if (facet.matrix.empty()) facet.matrix.assign((width(facet) + 4) * width(facet), 0.0);
+    if (facet.matrix.empty()) facet.matrix.assign((width(facet) + 8) * width(facet), 0.0);
     std::vector<double> H(static_cast<std::size_t>(n) * n, 0.0);
     add_normal_curvature(patches_[k], patch_x_[k], load_[k], H);
     std::vector<int> at;
@@ -142,7 +142,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
-  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows of covered areas.
+  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows each of covered and whole areas.
   const int n_local = 28 + 3 * facet.n_primary;
   std::vector<double> K;
   facet.matrix.clear();
@@ -173,7 +173,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       }
     }
     if (!with_tangent) continue;
-    if (K.empty()) K.assign(static_cast<std::size_t>(n_local + 4) * n_local, 0.0);
+    if (K.empty()) K.assign(static_cast<std::size_t>(n_local + 8) * n_local, 0.0);
     int at[40];
     for (int c = 0; c < 12; ++c) {
       at[c] = c;
@@ -186,14 +186,19 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
     for (int I = 0; I < 4; ++I)
       for (int c = 0; c < 36; ++c) K[static_cast<std::size_t>(n_local + I) * n_local + at[c]] += pair.d_area[I][c];
   }
-  if (!K.empty()) chain_normals(facet, K, n_local);
+  double whole_by_node[4], d_whole[4][36];
+  whole_area_tangent(input, whole_by_node, d_whole);
+  for (int I = 0; I < 4; ++I) whole_area[dofs_.local(pressure_point(facet.corner[I]))] += whole_by_node[I];
+  if (!K.empty()) {
+    for (int I = 0; I < 4; ++I)
+      for (int c = 0; c < 12; ++c) {
+        K[static_cast<std::size_t>(n_local + 4 + I) * n_local + c] = d_whole[I][c];
+        K[static_cast<std::size_t>(n_local + 4 + I) * n_local + 12 + c] = d_whole[I][24 + c];
+      }
+    chain_normals(facet, K, n_local);
+  }
 
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
-  Quad<double> projected;
-  for (int a = 0; a < 4; ++a) projected[a] = {plane.y[2 * a], plane.y[2 * a + 1]};
-  const auto weights = facet_weights(projected);
-  for (int a = 0; a < 4; ++a) whole_area[dofs_.local(pressure_point(facet.corner[a]))] += weights[a];
-  const double whole = 0.5 * std::abs(twice_area(projected)), error = std::abs(covered - whole) / whole;
+  const double whole = whole_by_node[0] + whole_by_node[1] + whole_by_node[2] + whole_by_node[3], error = std::abs(covered - whole) / whole;
   if (error < 1e-6) {  // nearer than any true partial cover of a mesh that is not made to deceive
     closure_ = std::max(closure_, error);
     ++n_covered_;
@@ -211,8 +216,8 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
   for (int I = 0; I < 4; ++I)
     for (int node : patches_[facet.corner[I]].nodes) patch_at[I].push_back(position_of(facet.points, 0, node));
 
-  std::vector<double> half(static_cast<std::size_t>(n_local + 4) * width, 0.0);
-  for (int r = 0; r < n_local + 4; ++r) {
+  std::vector<double> half(static_cast<std::size_t>(n_local + 8) * width, 0.0);
+  for (int r = 0; r < n_local + 8; ++r) {
     const double* from = &K[static_cast<std::size_t>(r) * n_local];
     double* to = &half[static_cast<std::size_t>(r) * width];
     for (int z = 0; z < n_local; ++z)
@@ -225,7 +230,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
           for (int j = 0; j < 3; ++j) to[3 * patch_at[I][b] + j] += factor * gradient[b][j];
       }
   }
-  facet.matrix.assign(static_cast<std::size_t>(width + 4) * width, 0.0);
+  facet.matrix.assign(static_cast<std::size_t>(width + 8) * width, 0.0);
   const auto add_row = [&](int to_row, double factor, int from_row) {
     double* to = &facet.matrix[static_cast<std::size_t>(to_row) * width];
     const double* from = &half[static_cast<std::size_t>(from_row) * width];
@@ -233,7 +238,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
   };
   for (int z = 0; z < n_local; ++z)
     if (z < 12 || z >= 24) add_row(column(z), 1.0, z);
-  for (int I = 0; I < 4; ++I) add_row(width + I, 1.0, n_local + I);
+  for (int I = 0; I < 8; ++I) add_row(width + I, 1.0, n_local + I);
   for (int I = 0; I < 4; ++I)
     for (int i = 0; i < 3; ++i) {
       const auto& gradient = normal_gradient_[facet.corner[I]][i];
@@ -242,7 +247,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
     }
 }
 
-void MortarTerm::add_tangent(const double* gap_row, const double* area_row, SystemMatrix& K) const {
+void MortarTerm::add_tangent(const double* a, const double* b, const double* c, SystemMatrix& K) const {
   std::vector<double> scaled;
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     const Facet& facet = facets_[k];
@@ -252,8 +257,8 @@ void MortarTerm::add_tangent(const double* gap_row, const double* area_row, Syst
     for (int I = 0; I < 4; ++I) {
       const int pressure = dofs_.local(pressure_point(facet.corner[I]));
       double* row = &scaled[(n - 4 + I) * n];
-      const double* area = &facet.matrix[(n + I) * n];
-      for (std::size_t c = 0; c < n; ++c) row[c] = gap_row[pressure] * row[c] + area_row[pressure] * area[c];
+      const double *covered = &facet.matrix[(n + I) * n], *whole = &facet.matrix[(n + 4 + I) * n];
+      for (std::size_t j = 0; j < n; ++j) row[j] = a[pressure] * row[j] + b[pressure] * covered[j] + c[pressure] * whole[j];
     }
     K.add(first_cell_ + k, scaled.data());
   }

@@ -43,9 +43,9 @@ class MortarTerm {
   /// rows of the nodes in `f`.
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums);
 
-  /// Adds the tangent; the row of a pressure is  gap_row d(weighted gap) + area_row d(covered area).
-  /// @param gap_row, area_row factors (overlap, at the pressures' indices)
-  void add_tangent(const double* gap_row, const double* area_row, SystemMatrix& K) const;
+  /// Adds the tangent; the row of a pressure is  a d(weighted gap) + b d(covered area) + c d(whole area).
+  /// @param a, b, c factors (overlap, at the pressures' indices)
+  void add_tangent(const double* a, const double* b, const double* c, SystemMatrix& K) const;
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }
@@ -68,7 +68,7 @@ class MortarTerm {
     std::vector<int> points;      // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
-    std::vector<double> matrix;                  // last tangent over the unknowns of `points`, then 4 rows of the covered areas
+    std::vector<double> matrix;                  // last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas
   };
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);

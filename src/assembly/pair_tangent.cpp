@@ -91,6 +91,18 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
   return true;
 }
 
+void whole_area_tangent(const PairInput& input, double whole_area[4], double d[4][36]) {
+  using Planar = Sacado::Fad::SFad<double, 18>;
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  Quad<Planar> facet;
+  for (int a = 0; a < 4; ++a) facet[a] = {Planar(18, 2 * a, plane.y[2 * a]), Planar(18, 2 * a + 1, plane.y[2 * a + 1])};
+  const auto weights = facet_weights(facet);
+  for (int a = 0; a < 4; ++a) {
+    whole_area[a] = weights[a].val();
+    plane.pull_back(weights[a].dx(), d[a]);
+  }
+}
+
 void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b,
                           std::vector<double>& H) {
   constexpr int chunk = 30;  // directions at a time: an inner node of a regular surface has 9 patch nodes, 27 directions

@@ -42,6 +42,12 @@ double evaluate_at(const Formula& formula, double t, const Point& X, const std::
 
 }  // namespace
 
+/// Factors of the derivatives that make up a pressure's row, on the owned map.
+struct StepProblem::LawRows {
+  explicit LawRows(const RCP<const Map>& map) : gap(map), covered(map), whole(map) {}
+  Vector gap, covered, whole;
+};
+
 StepProblem::StepProblem(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm)
     : scene_(scene), dofs_(scene, partition, comm) {
   for (const auto& body : scene.bodies) bodies_.push_back(std::make_unique<BodyTerm>(scene, body, partition, dofs_));
@@ -183,10 +189,10 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.residual->update(1.0, *out.contact, -1.0, *external_, 1.0);
 
   identity_rows_.assign(dofs_.n_owned(), 0);
-  Vector gap_row(dofs_.owned_map()), area_row(dofs_.owned_map());
-  if (!pairs_.empty()) law(x, *owned_sum(sums.whole_area), out, gap_row, area_row);
+  LawRows rows(dofs_.owned_map());
+  if (!pairs_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
 
-  std::vector<double> greatest{0, out.gap_residual};
+  std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale};
   {
     double* r = data(*out.residual);
     const double* q = data(x);
@@ -209,13 +215,15 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
   out.support_residual = greatest[0];
   out.gap_residual = greatest[1];
+  out.pressure_residual = greatest[2];
+  out.pressure_scale = greatest[3];
   out.force_scale = std::max({out.internal->norm2(), out.external->norm2(), out.contact->norm2()});
 
   if (with_tangent) {
     {
       const Stopwatch watch(counts_.seconds_contact);
-      const auto gap_factors = to_overlap(gap_row), area_factors = to_overlap(area_row);
-      for (auto& pair : pairs_) pair->add_tangent(data(*gap_factors), data(*area_factors), *matrix_);
+      const auto a = to_overlap(rows.gap), b = to_overlap(rows.covered), c = to_overlap(rows.whole);
+      for (auto& pair : pairs_) pair->add_tangent(data(*a), data(*b), data(*c), *matrix_);
     }
     const Stopwatch watch(counts_.seconds_assembly);
     if (!out.compliance.is_null()) {
@@ -236,19 +244,20 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   return out;
 }
 
-// A node that is hardly covered constrains the same motion as its neighbours, with next to no area to press on: its pressure
-// would jump from nothing to any size at the first touch of an edge. So the law yields there: gap + s p = 0 with s growing as the
-// cover shrinks, and s = 0 where the node is fully covered.
+// A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as the edge
+// of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its gap. So the law
+// yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered.
+// @return s [m/Pa]: a tenth of both sides' h/E times the lacking share of the cover
 double yielding(const ContactPair& pair, double covered, double whole) {
-  constexpr double share = 1e-2;
+  const double soft = pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus;
   const double lacking = whole / covered - 1;
-  return lacking > 1e-9 ? share * pair.primary_size / pair.primary_youngs_modulus * lacking : 0.0;
+  return lacking > 1e-9 ? 0.1 * soft * lacking : 0.0;
 }
 
-void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, Vector& gap_row, Vector& area_row) {
+void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows) {
   out.compliance = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  double *gap = data(*out.gap), *residual = data(*out.residual), *d_gap = data(gap_row), *d_area = data(area_row),
-         *compliance = data(*out.compliance);
+  double *gap = data(*out.gap), *residual = data(*out.residual), *compliance = data(*out.compliance);
+  double *d_gap = data(rows.gap), *d_covered = data(rows.covered), *d_whole = data(rows.whole);
   const double *area = data(*out.area), *pressure = data(x), *whole = data(whole_area);
   out.closed.assign(scene_.n_multipliers, 0);
   out.covered.assign(scene_.n_multipliers, 0);
@@ -264,18 +273,26 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       if (!covered) {
         gap[at] = 0;
         residual[at] = pressure[at];
+        out.pressure_residual = std::max(out.pressure_residual, std::abs(pressure[at]));
         continue;
       }
       gap[at] /= area[at];
       const double s = compliance[at] = yielding(p, area[at], whole[at]);
       // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
       d_gap[at] = 1 / area[at];
-      d_area[at] = -gap[at] / area[at] - (s > 0 ? s * pressure[at] * whole[at] / (area[at] * (whole[at] - area[at])) : 0.0);
-      const double c = complementarity_constant(p, k, area[at]), law = complementarity(pressure[at], gap[at], c);
+      d_covered[at] = -gap[at] / area[at];
+      if (s > 0) {
+        const double ds = s * pressure[at] / (whole[at] - area[at]);
+        d_covered[at] -= ds * whole[at] / area[at];
+        d_whole[at] = ds;
+      }
+      const double law = complementarity(pressure[at], gap[at], complementarity_constant(p, k, area[at]));
       const bool closed = law != pressure[at];  // the branch taken is the active set
       out.closed[multiplier] = closed;
       residual[at] = closed ? gap[at] + s * pressure[at] : pressure[at];  // an equation between lengths where closed
-      if (closed) out.gap_residual = std::max(out.gap_residual, std::abs(residual[at]));
+      double& greatest = closed ? out.gap_residual : out.pressure_residual;
+      greatest = std::max(greatest, std::abs(residual[at]));
+      if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
     }
   }
   std::vector<int> all(out.closed.begin(), out.closed.end());

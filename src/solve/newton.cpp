@@ -87,7 +87,8 @@ class StepStatus : public NOX::StatusTest::Generic {
     const Scene& scene = shared_->problem.scene();
     const double h = scene.size;
     const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, scene.force_floor) &&
-                       e.gap_residual <= options_.tolerance * h && e.support_residual <= options_.tolerance * h;
+                       e.gap_residual <= options_.tolerance * h && e.support_residual <= options_.tolerance * h &&
+                       e.pressure_residual <= options_.tolerance * e.pressure_scale;
     if (small && settled && iteration > 0) {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
       return status_;

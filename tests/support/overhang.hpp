@@ -1,4 +1,5 @@
-// Two small blocks whose meshes do not match, the upper one turned and hanging over the lower one's edge: nodes with full, part and no cover.
+// Two small blocks whose meshes do not match, the upper one turned and hanging over the lower one's edge: nodes with full, part
+// and no cover.
 #pragma once
 
 #include <string>

@@ -15,7 +15,8 @@ class ScratchFolder {
  public:
   ScratchFolder() {
     static std::atomic<int> n_made{0};
-    path_ = std::filesystem::temp_directory_path() / ("mortise_test_" + std::to_string(::getpid()) + "_" + std::to_string(n_made++));
+    path_ =
+        std::filesystem::temp_directory_path() / ("mortise_test_" + std::to_string(::getpid()) + "_" + std::to_string(n_made++));
     std::filesystem::create_directories(path_);
   }
   ~ScratchFolder() {

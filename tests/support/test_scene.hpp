@@ -29,7 +29,8 @@ inline Scene scene_of(const std::string& deck_text, const std::function<void(Sce
 
 inline std::vector<int> contact_elements(const Scene& scene) {
   std::vector<int> elements;
-  for (const auto& pair : scene.pairs) elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
+  for (const auto& pair : scene.pairs)
+    elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
   return elements;
 }
 
@@ -40,7 +41,8 @@ struct TestScene {
   StepProblem problem;
   State state;
 
-  explicit TestScene(const std::string& deck_text, const RCP<const Comm>& comm = world(), const std::function<void(Scene&)>& change = {})
+  explicit TestScene(const std::string& deck_text, const RCP<const Comm>& comm = world(),
+                     const std::function<void(Scene&)>& change = {})
       : scene(scene_of(deck_text, change)),
         partition(make_partition(scene.mesh.mesh, comm->getSize(), contact_elements(scene))),
         problem(scene, partition, comm),

@@ -34,7 +34,9 @@ inline std::string without_list(std::string text, const std::string& name) {
 }
 
 /// `text` with further lists before its end.
-inline std::string with_lists(std::string text, const std::string& lists) { return text.insert(text.rfind("</ParameterList>"), lists + "\n"); }
+inline std::string with_lists(std::string text, const std::string& lists) {
+  return text.insert(text.rfind("</ParameterList>"), lists + "\n");
+}
 
 /// How often `word` stands in `text`.
 inline int count_of(const std::string& text, const std::string& word) {

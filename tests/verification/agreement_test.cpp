@@ -29,7 +29,8 @@ TEST(Agreement, PositionsAndPressuresAreTheSameOnOneRankAndOnAll) {
   EXPECT_LE(positions, 1e-10);
   EXPECT_LE(pressures, 1e-10);
   EXPECT_GT(*std::max_element(one.begin() + n, one.end()), 0.1) << "nothing was pressed";
-  if (world()->getRank() == 0) std::cout << world()->getSize() << " ranks against one: positions " << positions << ", pressures " << pressures << '\n';
+  if (world()->getRank() == 0)
+    std::cout << world()->getSize() << " ranks against one: positions " << positions << ", pressures " << pressures << '\n';
 }
 
 TEST(Agreement, ARerunIsEqualToTheLastBit) { EXPECT_EQ(result(ironing(world())), result(ironing(world()))); }
@@ -37,10 +38,12 @@ TEST(Agreement, ARerunIsEqualToTheLastBit) { EXPECT_EQ(result(ironing(world())),
 TEST(Agreement, DerivativesOfWholeElementsGiveTheSameRun) {
   const auto points = result(ironing(world())), elements = result(ironing(world(), TangentKind::whole_element));
   const std::size_t n = points.size() - 25;
-  const double positions = relative_difference(elements, points, 0, n), pressures = relative_difference(elements, points, n, points.size());
+  const double positions = relative_difference(elements, points, 0, n),
+               pressures = relative_difference(elements, points, n, points.size());
   EXPECT_LE(positions, 1e-12);
   EXPECT_LE(pressures, 1e-10);
-  if (world()->getRank() == 0) std::cout << "whole elements against quadrature points: positions " << positions << ", pressures " << pressures << '\n';
+  if (world()->getRank() == 0)
+    std::cout << "whole elements against quadrature points: positions " << positions << ", pressures " << pressures << '\n';
 }
 
 }  // namespace

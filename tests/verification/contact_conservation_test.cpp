@@ -1,4 +1,5 @@
-// What contact forces owe to mechanics: no net force, no net moment, the same in every frame; and that absent contact costs nothing.
+// What contact forces owe to mechanics: no net force, no net moment, the same in every frame; and that absent contact costs
+// nothing.
 #include <gtest/gtest.h>
 
 #include <iostream>

@@ -28,7 +28,8 @@ class ContactJacobian : public testing::Test {
     return J;
   }
 
-  // Values whose derivative the tangent claims to hold: forces, supports, and for every covered node gap + compliance p, open or closed.
+  // Values whose derivative the tangent claims to hold: forces, supports, and for every covered node gap + compliance p, open or
+  // closed.
   std::vector<double> values(const std::vector<double>& x) {
     const auto at = s.problem.evaluate(*s.scatter(x));
     auto r = s.gather(*at.residual);
@@ -43,7 +44,8 @@ class ContactJacobian : public testing::Test {
   };
 
   // Rows of the law where it yields (partly covered nodes) hold the whole area fixed: they are not exact by design, and left out.
-  ::testing::AssertionResult tangent_is_exact(const std::vector<double>& x, bool actual_law, const GradientCheck& check, Kinds* kinds = nullptr) {
+  ::testing::AssertionResult tangent_is_exact(const std::vector<double>& x, bool actual_law, const GradientCheck& check,
+                                              Kinds* kinds = nullptr) {
     const std::size_t n = s.n_unknowns();
     RCP<Matrix> K;
     const auto at = s.problem.linearise(*s.scatter(x), K);
@@ -53,8 +55,10 @@ class ContactJacobian : public testing::Test {
     std::vector<std::size_t> rows;
     std::vector<double> compared;
     for (std::size_t r = 0; r < n; ++r) {
-      const bool pressure = r >= s.n_positions(), covered = pressure && area[r] > 0, open = covered && !at.closed[r - s.n_positions()];
-      if (kinds && pressure) ++(!covered ? kinds->uncovered : compliance[r] > 0 ? kinds->partly : open ? kinds->open : kinds->closed);
+      const bool pressure = r >= s.n_positions(), covered = pressure && area[r] > 0,
+                 open = covered && !at.closed[r - s.n_positions()];
+      if (kinds && pressure)
+        ++(!covered ? kinds->uncovered : compliance[r] > 0 ? kinds->partly : open ? kinds->open : kinds->closed);
       if (covered && compliance[r] > 0 && !(open && actual_law)) continue;
       rows.push_back(r);
       for (std::size_t c = 0; c < n; ++c) compared.push_back(open && actual_law ? (r == c ? 1.0 : 0.0) : J[r * n + c]);
@@ -69,21 +73,23 @@ class ContactJacobian : public testing::Test {
   }
 };
 
-// States at which no overlap gains or loses a corner within the steps: the second derivative jumps there, and the order of the differences
-// with it (the first does not).
+// States at which no overlap gains or loses a corner within the steps: the second derivative jumps there, and the order of the
+// differences with it (the first does not).
 TEST_F(ContactJacobian, IsExactWithOpenAndClosedAndPartlyCoveredNodes) {
   Random random(13);
   GradientCheck check;
   check.first_step = 1e-4;
   Kinds kinds;
   for (const double distortion : {0.02, 0.03, 0.08})
-    EXPECT_TRUE(tangent_is_exact(s.random_state(random, distortion, -0.3, 1), false, check, &kinds)) << "distortion " << distortion;
+    EXPECT_TRUE(tangent_is_exact(s.random_state(random, distortion, -0.3, 1), false, check, &kinds))
+        << "distortion " << distortion;
   EXPECT_GT(kinds.closed, 5);
   EXPECT_GT(kinds.open, 5);
   EXPECT_GT(kinds.partly, 2);
   EXPECT_GT(kinds.uncovered, 0);
   if (world()->getRank() == 0)
-    std::cout << kinds.closed << " closed, " << kinds.open << " open, " << kinds.partly << " partly covered, " << kinds.uncovered << " uncovered\n";
+    std::cout << kinds.closed << " closed, " << kinds.open << " open, " << kinds.partly << " partly covered, " << kinds.uncovered
+              << " uncovered\n";
 }
 
 TEST_F(ContactJacobian, IsExactOnBothSidesOfTheKinkOfTheLaw) {
@@ -143,7 +149,8 @@ TEST_F(ContactJacobian, CheckNoticesAWrongEntry) {
   std::vector<double> one_row(J.begin() + row * n, J.begin() + (row + 1) * n);
   GradientCheck check;
   check.first_step = 2e-4;
-  EXPECT_FALSE(is_derivative(one_row, [&](const std::vector<double>& y) { return std::vector<double>{values(y)[row]}; }, x, check));
+  EXPECT_FALSE(is_derivative(
+      one_row, [&](const std::vector<double>& y) { return std::vector<double>{values(y)[row]}; }, x, check));
 }
 
 }  // namespace

@@ -16,10 +16,11 @@ struct Exact {
   double axial = 1, lateral = 1, stress = 0;  // Cauchy
 };
 
-// Thesis 3.130 in principal stretches: P_i = mu (l_i - 1/l_i) + lambda ln J / l_i. From P_lateral = 0 follows ln J, hence the axial
-// stretch, as a function of the lateral one; what is left is one equation for that: P_axial = `pressing`.
+// Thesis 3.130 in principal stretches: P_i = mu (l_i - 1/l_i) + lambda ln J / l_i. From P_lateral = 0 follows ln J, hence the
+// axial stretch, as a function of the lateral one; what is left is one equation for that: P_axial = `pressing`.
 Exact uniaxial(double youngs_modulus, double poissons_ratio, double pressing) {
-  const double mu = youngs_modulus / (2 * (1 + poissons_ratio)), lambda = youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
+  const double mu = youngs_modulus / (2 * (1 + poissons_ratio)),
+               lambda = youngs_modulus * poissons_ratio / ((1 + poissons_ratio) * (1 - 2 * poissons_ratio));
   const auto axial = [&](double l) { return std::exp(-mu * (l * l - 1) / lambda) / (l * l); };
   const auto miss = [&](double l) {
     const double a = axial(l);
@@ -96,12 +97,14 @@ class PatchTest : public testing::TestWithParam<Case> {
 };
 
 TEST_P(PatchTest, StressAndPressureAreUniform) {
-  TestScene s(input_deck("patch_test/" + GetParam().deck + ".xml"), world(), [](Scene& scene) { scene.solver.further_iterations = 1; });
+  TestScene s(input_deck("patch_test/" + GetParam().deck + ".xml"), world(),
+              [](Scene& scene) { scene.solver.further_iterations = 1; });
   const auto run = s.march({0.5, 1});
   ASSERT_TRUE(run.converged) << run.cause;
   const auto x = s.gather(*s.state.x);
   double pressure_error = 0;
-  for (std::size_t k = s.n_positions(); k < x.size(); ++k) pressure_error = std::max(pressure_error, std::abs(x[k] / -GetParam().exact.stress - 1));
+  for (std::size_t k = s.n_positions(); k < x.size(); ++k)
+    pressure_error = std::max(pressure_error, std::abs(x[k] / -GetParam().exact.stress - 1));
   const double position = position_error(s, x), gauss = gauss_stress_error(s, x), nodal = nodal_stress_error(s, run.at);
   EXPECT_EQ(run.at.n_closed, s.scene.n_multipliers);
   EXPECT_LE(position, 1e-12);
@@ -109,13 +112,15 @@ TEST_P(PatchTest, StressAndPressureAreUniform) {
   EXPECT_LE(nodal, 1e-10);
   EXPECT_LE(pressure_error, 1e-10);
   if (world()->getRank() == 0)
-    std::cout << GetParam().deck << ": errors of positions " << position << ", stress at Gauss points " << gauss << ", at nodes " << nodal << ", pressure "
-              << pressure_error << "; " << run.iterations << " iterations\n";
+    std::cout << GetParam().deck << ": errors of positions " << position << ", stress at Gauss points " << gauss << ", at nodes "
+              << nodal << ", pressure " << pressure_error << "; " << run.iterations << " iterations\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, PatchTest,
-                         testing::Values(Case{"contact", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})}, Case{"conforming", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
-                                         Case{"shifted", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})}, Case{"rotated", along(uniaxial(1e6, 0.3, -1e4), {0, 1, 0})},
+                         testing::Values(Case{"contact", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
+                                         Case{"conforming", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
+                                         Case{"shifted", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
+                                         Case{"rotated", along(uniaxial(1e6, 0.3, -1e4), {0, 1, 0})},
                                          Case{"inclined", inclined()}),
                          [](const auto& info) { return info.param.deck; });
 
