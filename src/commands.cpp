@@ -12,6 +12,7 @@
 
 #include "assembly/rigid_modes.hpp"
 #include "mesh/exodus.hpp"
+#include "output/on_root.hpp"
 #include "output/results.hpp"
 #include "output/run_folder.hpp"
 #include "time/march.hpp"
@@ -69,8 +70,7 @@ struct Setup {
 /// The results file, opened on rank 0 and fed with gathered fields.
 class ResultsWriter {
  public:
-  ResultsWriter(const StepProblem& problem, const History& history, const fs::path& file)
-      : is_root_(problem.dofs().comm()->getRank() == 0) {
+  ResultsWriter(const StepProblem& problem, const History& history, const fs::path& file) {
     for (const auto& field : problem.scene().output.fields)
       for (const auto& variable : variables_of_field(field)) nodal_.push_back(variable);
     for (std::size_t c = 0; c < history.columns().size(); ++c) {
@@ -79,7 +79,8 @@ class ResultsWriter {
       global_.push_back(name);
       columns_.push_back(c);
     }
-    if (is_root_) file_.emplace(file, problem.scene().mesh.mesh, problem.scene().title, nodal_, global_);
+    on_root(*problem.dofs().comm(),
+            [&] { file_.emplace(file, problem.scene().mesh.mesh, problem.scene().title, nodal_, global_); });
   }
 
   void observe(const StepProblem& problem, const State& now, const Evaluation& at, const StepRecord& record,
@@ -89,11 +90,10 @@ class ResultsWriter {
     for (const auto& name : nodal_) fields.push_back(nodal_quantity(problem, now, at, name));
     std::vector<double> globals;
     for (std::size_t c : columns_) globals.push_back(history.rows().back()[c]);
-    if (is_root_) file_->write(now.time, fields, globals);
+    on_root(*problem.dofs().comm(), [&] { file_->write(now.time, fields, globals); });
   }
 
  private:
-  bool is_root_;
   std::vector<std::string> nodal_, global_;
   std::vector<std::size_t> columns_;
   std::optional<ResultsFile> file_;
@@ -104,23 +104,6 @@ void write_text(const fs::path& file, const std::string& text) {
   out << text;
   out.close();
   if (!out) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
-}
-
-// Rank 0 does the work; if it fails, every rank leaves with the same error instead of waiting for it.
-template <class Work>
-void on_root(const Comm& comm, const Work& work) {
-  std::string message;
-  int code = 0;
-  if (comm.getRank() == 0) {
-    try {
-      work();
-    } catch (const UserError& error) {
-      code = static_cast<int>(error.code());
-      message = error.what();
-    }
-  }
-  Teuchos::broadcast(comm, 0, &code);
-  if (code != 0) throw UserError(static_cast<ExitCode>(code), comm.getRank() == 0 ? message : std::string("another rank failed"));
 }
 
 }  // namespace

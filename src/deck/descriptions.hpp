@@ -99,8 +99,10 @@ void describe(Fields& f, TractionOptions& o) {
 
 template <class Fields>
 void describe(Fields& f, ContactOptions& o) {
-  f.required("secondary", o.secondary, anything, "",
-             "mesh name / side set that carries the multipliers (the thesis' slave or non-mortar side); best the finer one");
+  f.required(
+      "secondary", o.secondary, anything, "",
+      "mesh name / side set that carries the multipliers (the thesis' slave or non-mortar side); best the finer one, and one "
+      "that the other side covers: at partly covered nodes the contact law yields a little");
   f.required("primary", o.primary, anything, "", "mesh name / side set on the other side (master, mortar)");
   f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
            "mortar: segment-to-segment, contact conditions in the mean over the overlap");

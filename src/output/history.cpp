@@ -5,6 +5,8 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
+#include "output/on_root.hpp"
+
 namespace mortise {
 namespace {
 
@@ -33,8 +35,7 @@ Vector increment(const StepProblem& problem, const State& before, const State& n
 
 }  // namespace
 
-History::History(const StepProblem& problem, const std::filesystem::path& file)
-    : file_(file), writes_(problem.dofs().comm()->getRank() == 0) {
+History::History(const StepProblem& problem, const std::filesystem::path& file) : file_(file) {
   const Scene& scene = problem.scene();
   columns_ = {"step", "time", "dt", "newton_iterations", "cuts", "active", "stick", "slip"};
   for (const auto& pair : scene.pairs)
@@ -52,11 +53,12 @@ History::History(const StepProblem& problem, const std::filesystem::path& file)
        {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})
     columns_.emplace_back(name);
   for (const auto& pair : scene.pairs) columns_.push_back(fmt::format("closure_error.{}", pair.name));
-  if (!writes_) return;
-  out_.open(file);
-  out_ << fmt::format("{}\n", fmt::join(columns_, ","));
-  out_.flush();
-  if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
+  on_root(*problem.dofs().comm(), [&] {
+    out_.open(file);
+    out_ << fmt::format("{}\n", fmt::join(columns_, ","));
+    out_.flush();
+    if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
+  });
 }
 
 int History::column(const std::string& name) const {
@@ -161,10 +163,11 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     row.push_back(greatest);
   }
   rows_.push_back(row);
-  if (!writes_) return;
-  out_ << fmt::format("{:.17g}\n", fmt::join(row, ","));
-  out_.flush();
-  if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written any more, the disk may be full", file_.string()));
+  on_root(*problem.dofs().comm(), [&] {
+    out_ << fmt::format("{:.17g}\n", fmt::join(row, ","));
+    out_.flush();
+    if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written any more, the disk may be full", file_.string()));
+  });
 }
 
 }  // namespace mortise

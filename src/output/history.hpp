@@ -36,7 +36,6 @@ class History {
   std::vector<std::vector<double>> rows_;
   std::ofstream out_;
   std::filesystem::path file_;
-  bool writes_;
   Works works_;
   double strain_energy_ = 0;
   std::vector<char> closed_before_;

@@ -98,6 +98,16 @@ TEST_F(Mistake, ResultsAreNotOverwrittenUnasked) {
   EXPECT_EQ(text_of(folder / "other/notes.txt"), "mine");
 }
 
+// Rank 0 writes; when it cannot, the others must not wait for it.
+TEST_F(Mistake, FileThatCannotBeWrittenEndsAllRanks) {
+  for (const std::string name : {"results.e", "history.csv", "mesh.e"}) {
+    const std::string out = "out_" + name.substr(0, 4);
+    std::filesystem::create_directories(folder / out / name / "a folder in the way");
+    folder.write("deck.xml", patch);
+    expect(5, "run deck.xml --overwrite -o " + out, {"error[I02]", name}, 2);
+  }
+}
+
 TEST_F(Mistake, FreeRigidMotionIsNamed) {
   const auto text = with(patch,
                          "<ParameterList name=\"upper left\">\n      <Parameter name=\"set\" type=\"string\" "
