@@ -85,7 +85,23 @@ class ResultsWriter {
 
   void observe(const StepProblem& problem, const State& now, const Evaluation& at, const StepRecord& record,
                const History& history) {
-    if (record.step > 0 && !record.is_stop && record.step % problem.scene().output.every != 0) return;
+    if (record.step > 0 && !record.is_stop && record.step % problem.scene().output.every != 0) {
+      left_out_ = {now, at};
+      return;
+    }
+    write(problem, now, at, history);
+  }
+
+  /// A run that ends early leaves its last good state, whether it was due or not.
+  void write_last(const StepProblem& problem, const History& history) {
+    if (!left_out_) return;
+    const auto [now, at] = *left_out_;
+    write(problem, now, at, history);
+  }
+
+ private:
+  void write(const StepProblem& problem, const State& now, const Evaluation& at, const History& history) {
+    left_out_.reset();
     std::vector<std::vector<double>> fields;
     for (const auto& name : nodal_) fields.push_back(nodal_quantity(problem, now, at, name));
     std::vector<double> globals;
@@ -93,10 +109,10 @@ class ResultsWriter {
     on_root(*problem.dofs().comm(), [&] { file_->write(now.time, fields, globals); });
   }
 
- private:
   std::vector<std::string> nodal_, global_;
   std::vector<std::size_t> columns_;
   std::optional<ResultsFile> file_;
+  std::optional<std::pair<State, Evaluation>> left_out_;  // the last accepted step, while it is not in the file
 };
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -156,6 +172,7 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
   const MarchSummary summary = march(problem, newton, setup.initial, scene.time, observers, to_log, progress);
 
   if (is_root && on_terminal && !options.quiet) std::cout << std::endl;
+  if (summary.code != ExitCode::done) results.write_last(problem, history);
   ExitCode code = summary.code;
   const auto expectations = code == ExitCode::done ? check_expectations(scene, history) : std::vector<Expectation>{};
   for (const auto& e : expectations) {

@@ -102,6 +102,7 @@ class SceneMaker {
         owner[b] = name;
         for (int e = first_of_block[b]; e < first_of_block[b + 1]; ++e) body.elements.push_back(e);
       }
+      std::sort(body.elements.begin(), body.elements.end());
       double volume = 0;
       for (int e : body.elements) {
         std::array<Point, 8> X;
@@ -218,6 +219,7 @@ class SceneMaker {
       if (!secondary || !primary) continue;
       ContactPair pair;
       pair.name = name;
+      pair.where_penetrating = deck_.error("M51", {"contact", name}, "");
       pair.quadrature_degree = o.quadrature_degree;
       for (const Side& side : secondary->sides) {
         pair.secondary.facets.push_back(side_nodes(mesh, side));

@@ -20,7 +20,7 @@ struct Body {
   std::string name;
   Material material;
   TangentKind tangent;
-  std::vector<int> elements;  ///< numbers over all blocks
+  std::vector<int> elements;  ///< numbers over all blocks, ascending
   std::vector<int> nodes;     ///< ascending
   double youngs_modulus;      ///< [Pa], for scales
   double size;                ///< edge of a cube with the mean element volume [m]
@@ -51,6 +51,7 @@ struct Traction {
 struct ContactPair {
   std::string name;
   ContactSurface secondary, primary;
+  std::string where_penetrating;        ///< start of the message about surfaces inside each other: the pair's place in the deck
   std::vector<int> secondary_elements;  ///< the element behind each secondary facet
   std::vector<int> secondary_nodes;     ///< ascending; node k carries multiplier `first_multiplier + k`
   std::vector<double> tributary_area;   ///< reference area of each secondary node [m^2]
@@ -85,6 +86,9 @@ struct Scene {
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]
   double size;         ///< smallest body element size [m]
+
+  /// Pressure that is round-off [Pa].
+  double pressure_floor() const { return force_floor / (size * size); }
 };
 
 /// Opens the meshes and resolves every name of the deck.

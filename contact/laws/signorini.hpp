@@ -5,13 +5,18 @@
 
 namespace mortise {
 
+/// The branch of the law: closed if  p - c g > 0. Nodes at round-off in both stay closed, so that a body that rests without load is held.
+/// @param p contact pressure [Pa]  @param g gap [m]  @param c complementarity constant > 0 [Pa/m]  @param round_off pressure that means nothing [Pa]
+template <class T>
+bool is_closed(const T& p, const T& g, double c, double round_off = 0) {
+  return value(p) - c * value(g) > -round_off;
+}
+
 /// Signorini's conditions  g >= 0, p >= 0, p g = 0  as  p - max(0, p - c g) = 0  (thesis eq. 4.129).
 /// The derivative of the branch *is* the primal-dual active set: no status array decides anything.
-/// @param p contact pressure [Pa]  @param g gap [m]  @param c complementarity constant > 0 [Pa/m]
 template <class T>
-T complementarity(const T& p, const T& g, double c) {
-  const T trial = p - c * g;
-  return value(trial) > 0.0 ? T(p - trial) : p;
+T complementarity(const T& p, const T& g, double c, double round_off = 0) {
+  return is_closed(p, g, c, round_off) ? T(c * g) : p;
 }
 
 }  // namespace mortise

@@ -64,7 +64,12 @@ bool MortarTerm::search(const double* x, double reach) {
   const BoxTree tree(std::move(boxes));
   bool changed = false;
   for (auto& facet : facets_) {
-    Box box = box_of(pair_.secondary.facets[facet.index]);
+    // Along the normal as far as overlaps count, to all sides by what the surfaces may move.
+    const auto& nodes = pair_.secondary.facets[facet.index];
+    Vec3<double> normal = cross(position(x, nodes[2]) - position(x, nodes[0]), position(x, nodes[3]) - position(x, nodes[1]));
+    normal = (farthest() / norm(normal)) * normal;
+    Box box = box_of(nodes);
+    for (int node : nodes) box.include(position(x, node) + normal);
     box.widen(reach);
     auto hits = tree.query(box);
     if (hits == facet.candidates) continue;
@@ -157,8 +162,12 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       ++counts_.turned_away;
       continue;
     }
-    if (!(with_tangent ? pair_tangent(input, rule_, pair) : pair_values(input, rule_, pair))) continue;
+    if (!pair_values(input, rule_, pair)) continue;
     ++counts_.overlaps;
+    const double* c = pair.covered_area;
+    const double* g = &pair.row[36];
+    if (g[0] + g[1] + g[2] + g[3] > farthest() * (c[0] + c[1] + c[2] + c[3])) continue;  // too far apart to matter
+    if (with_tangent) pair_tangent(input, rule_, pair);
 
     for (int a = 0; a < 4; ++a) {
       const int pressure = dofs_.local(pressure_point(facet.corner[a]));
@@ -189,6 +198,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   double whole_by_node[4], d_whole[4][36];
   whole_area_tangent(input, whole_by_node, d_whole);
   for (int I = 0; I < 4; ++I) whole_area[dofs_.local(pressure_point(facet.corner[I]))] += whole_by_node[I];
+  if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + 8) * n_local, 0.0);
   if (!K.empty()) {
     for (int I = 0; I < 4; ++I)
       for (int c = 0; c < 12; ++c) {

@@ -1,6 +1,7 @@
 // A frictionless mortar contact pair as a term of the scene: search, integration, shares of force and gap, and their derivative.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "assembly/pair_tangent.hpp"
@@ -31,7 +32,7 @@ class MortarTerm {
  public:
   MortarTerm(const Scene& scene, const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
 
-  /// Lists for each facet the primary facets whose boxes, widened by `reach`, overlap. @param x positions on the overlap
+  /// Lists for each facet the primary facets whose boxes overlap its own, stretched along the normal by `farthest` and widened by `reach`. @param x positions on the overlap
   /// @return whether a list changed
   bool search(const double* x, double reach);
 
@@ -70,6 +71,9 @@ class MortarTerm {
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
     std::vector<double> matrix;                  // last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas
   };
+  /// Overlaps with a greater mean gap do not count as covering: neither what lies beyond a step of the surface, nor how far the search
+  /// happens to look, may enter the mean gap of a node [m].
+  double farthest() const { return std::max(pair_.size, pair_.primary_size); }
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
   void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;

@@ -5,6 +5,7 @@
 #include <Teuchos_LAPACK.hpp>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "errors.hpp"
 
@@ -87,6 +88,19 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
     add_motion(body_of(scene, p.node), X[p.node], d, 1);
     add_row();
   }
+  // Bodies that share a node move together there.
+  std::map<int, int> first_body;
+  for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)
+    for (int node : scene.bodies[b].nodes) {
+      const auto [at, is_new] = first_body.insert({node, b});
+      for (int axis = 0; axis < 3 && !is_new; ++axis) {
+        Vec3<double> d{};
+        d[axis] = 1;
+        add_motion(at->second, X[node], d, 1);
+        add_motion(b, X[node], d, -1);
+        add_row();
+      }
+    }
   for (const auto& pair : scene.pairs) {
     const int primary = body_of(scene, pair.primary.facets[0][0]);
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {

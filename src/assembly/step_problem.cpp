@@ -76,20 +76,20 @@ void StepProblem::begin_step(const State& from, double t) {
   const auto& X = scene_.mesh.mesh.coordinates;
   prescribed_.clear();
   for (const auto& p : scene_.prescribed) {
-    if (!dofs_.owned(p.node)) continue;
+    // Evaluated on every rank, so that a bad value ends all of them alike.
     const auto& support = scene_.supports[p.support];
     const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], support.where[p.axis]);
-    prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
+    if (dofs_.owned(p.node)) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
   }
   external_->putScalar(0.0);
   double* f = data(*external_);
   for (const auto& traction : scene_.tractions)
-    for (const auto& [node, weight] : traction.weights) {
-      if (!dofs_.owned(node)) continue;
-      for (int i = 0; i < 3; ++i)
-        if (traction.traction[i])
-          f[dofs_.local(node) + i] += weight * evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
-    }
+    for (const auto& [node, weight] : traction.weights)
+      for (int i = 0; i < 3; ++i) {
+        if (!traction.traction[i]) continue;
+        const double t_i = evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
+        if (dofs_.owned(node)) f[dofs_.local(node) + i] += weight * t_i;
+      }
 }
 
 void StepProblem::build_graph() {
@@ -123,9 +123,13 @@ void StepProblem::update_search(const Vector& overlap_x) {
     if (!matrix_) build_graph();
     return;
   }
-  double skin = 0;
-  for (const auto& pair : scene_.pairs) skin = std::max(skin, 0.25 * pair.size);
-  const double depth = start_x_.is_null() ? 0.0 : 2 * greatest_motion(*start_x_, overlap_x);
+  double skin = 0, size = 0;
+  for (const auto& pair : scene_.pairs) {
+    skin = std::max(skin, 0.25 * pair.size);
+    size = std::max({size, pair.size, pair.primary_size});
+  }
+  // At the start nobody knows how deep bodies are inside each other: five facets are looked through.
+  const double depth = start_x_.is_null() ? 5 * size : 2 * greatest_motion(*start_x_, overlap_x);
   if (matrix_ && !search_x_.is_null() && depth + 2 * greatest_motion(*search_x_, overlap_x) <= reach_) return;
   const Stopwatch watch(counts_.seconds_search);
   reach_ = 2 * skin + depth;
@@ -247,11 +251,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
 // A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as the edge
 // of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its gap. So the law
 // yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered.
-// @return s [m/Pa]: a tenth of both sides' h/E times the lacking share of the cover
-double yielding(const ContactPair& pair, double covered, double whole) {
-  const double soft = pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus;
-  const double lacking = whole / covered - 1;
-  return lacking > 1e-9 ? 0.1 * soft * lacking : 0.0;
+// A tenth of both sides' h/E [m/Pa] is the least that keeps the ironing with the coarse side as secondary solvable in every step.
+double yielding_rate(const ContactPair& pair) {
+  return 0.1 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
 }
 
 void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows) {
@@ -277,19 +279,21 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
         continue;
       }
       gap[at] /= area[at];
-      const double s = compliance[at] = yielding(p, area[at], whole[at]);
       // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
       d_gap[at] = 1 / area[at];
       d_covered[at] = -gap[at] / area[at];
-      if (s > 0) {
-        const double ds = s * pressure[at] / (whole[at] - area[at]);
-        d_covered[at] -= ds * whole[at] / area[at];
-        d_whole[at] = ds;
+      const double lacking = whole[at] / area[at] - 1 - 1e-6;  // quadrature on warped facets leaves 1e-7 where all is covered
+      if (lacking > 0) {
+        const double rate = yielding_rate(p);
+        compliance[at] = rate * lacking;
+        d_covered[at] -= rate * pressure[at] * whole[at] / (area[at] * area[at]);
+        d_whole[at] = rate * pressure[at] / area[at];
       }
-      const double law = complementarity(pressure[at], gap[at], complementarity_constant(p, k, area[at]));
-      const bool closed = law != pressure[at];  // the branch taken is the active set
+      const double c = complementarity_constant(p, k, area[at]);
+      const bool closed = is_closed(pressure[at], gap[at], c, scene_.pressure_floor());
       out.closed[multiplier] = closed;
-      residual[at] = closed ? gap[at] + s * pressure[at] : pressure[at];  // an equation between lengths where closed
+      // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
+      residual[at] = closed ? gap[at] + compliance[at] * pressure[at] : complementarity(pressure[at], gap[at], c, scene_.pressure_floor());
       double& greatest = closed ? out.gap_residual : out.pressure_residual;
       greatest = std::max(greatest, std::abs(residual[at]));
       if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
@@ -375,9 +379,9 @@ State StepProblem::initial_state() {
   for (const auto& pair : scene_.pairs)
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       if (deep[pair.first_multiplier + k])
-        messages.push_back(fmt::format(
-            "error[M41] contact > {}: {} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart", pair.name,
-            describe_node(scene_.mesh, pair.secondary_nodes[k]), depth[pair.first_multiplier + k] / pair.size, pair.size));
+        messages.push_back(fmt::format("{}{} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart", pair.where_penetrating,
+                                       describe_node(scene_.mesh, pair.secondary_nodes[k]), depth[pair.first_multiplier + k] / pair.size,
+                                       pair.size));
   if (!messages.empty()) throw MeshError(messages);
   return state;
 }

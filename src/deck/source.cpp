@@ -58,7 +58,7 @@ const DeckList* DeckList::list(const std::string& entry) const {
 DeckSource DeckSource::read(const std::filesystem::path& file) {
   std::error_code status;
   if (!std::filesystem::exists(file, status)) {
-    throw FileError(file.string() + ": " + (status ? status.message() : std::string("no such file")));
+    throw FileError(file.string() + ": error[I01] " + (status ? status.message() : std::string("no such file")));
   }
   if (!std::filesystem::is_regular_file(file, status)) {
     throw FileError(file.string() +

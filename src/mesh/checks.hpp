@@ -9,6 +9,7 @@
 //   numbers, names    M24 node number twice or < 1         M25 element number twice or < 1  M26 id or name twice
 //   sets              M31 empty set                        M32 element of a side out of range
 //                     M33 side not in 1..6                 M34 node of a set out of range   M35 side twice in one set
+//   contact           M51 surfaces are inside each other at the start
 //   recipes, places   M41 recipe unknown or its data bad   M42 rotation or origin bad       M43 neither file nor recipe, or both
 //
 // Files that cannot be opened or written are FileErrors (exit code 5): I01 cannot be read, I02 cannot be written.

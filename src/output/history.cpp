@@ -5,6 +5,9 @@
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
+#include "deck/quantities.hpp"
+#include "output/on_root.hpp"
+
 #include "output/on_root.hpp"
 
 namespace mortise {
@@ -37,17 +40,12 @@ Vector increment(const StepProblem& problem, const State& before, const State& n
 
 History::History(const StepProblem& problem, const std::filesystem::path& file) : file_(file) {
   const Scene& scene = problem.scene();
-  columns_ = {"step", "time", "dt", "newton_iterations", "cuts", "active", "stick", "slip"};
+  columns_.assign(step_columns.begin(), step_columns.end());
   for (const auto& pair : scene.pairs)
     for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("contact_force_{}.{}", axis, pair.name));
   for (const auto& support : scene.supports)
     for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("reaction_{}.{}", axis, support.name));
-  for (const char* name :
-       {"kinetic_energy", "strain_energy", "stick_energy", "total_energy", "external_work", "contact_work",
-        "contact_work_closing", "contact_work_resegmentation", "friction_dissipation", "damping_dissipation",
-        "algorithmic_dissipation", "residual_work", "ledger_mismatch", "linear_momentum_x", "linear_momentum_y",
-        "linear_momentum_z", "angular_momentum_x", "angular_momentum_y", "angular_momentum_z"})
-    columns_.emplace_back(name);
+  columns_.insert(columns_.end(), ledger_columns.begin(), ledger_columns.end());
   for (const auto& probe : scene.probes) columns_.push_back(fmt::format("{}.{}", probe.quantity, probe.name));
   for (const char* name :
        {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Teuchos_CommHelpers.hpp>
+#include <new>
 #include <string>
 
 #include "assembly/tpetra.hpp"
@@ -20,6 +21,12 @@ void on_root(const Comm& comm, const Work& work) {
     } catch (const UserError& error) {
       code = static_cast<int>(error.code());
       message = error.what();
+    } catch (const std::bad_alloc&) {
+      code = static_cast<int>(ExitCode::resources);
+      message = "error[R01] out of memory while writing";
+    } catch (const std::exception& error) {
+      code = static_cast<int>(ExitCode::internal);
+      message = std::string("internal error, please report it: ") + error.what();
     }
   }
   Teuchos::broadcast(comm, 0, &code);

@@ -25,21 +25,22 @@ std::string on_off(bool on) { return on ? "on" : "off"; }
 
 void prepare_run_folder(const fs::path& folder, bool overwrite) {
   std::error_code failure;
-  if (fs::exists(folder) && !fs::is_directory(folder))
-    throw FileError(fmt::format("{}: error[I05] is a file - a folder for the results is needed", folder.string()));
-  if (fs::exists(folder) && !fs::is_empty(folder)) {
-    const bool has_results =
-        std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name); });
-    if (!has_results)
-      throw FileError(
-          fmt::format("{}: error[I05] holds other files and no results - name an empty folder with -o", folder.string()));
-    if (!overwrite)
-      throw FileError(
-          fmt::format("{}: error[I05] holds results already - use --overwrite, or another folder with -o", folder.string()));
-    for (const auto& name : run_files) fs::remove(folder / name, failure);
+  const auto refuse = [&](const std::string& why) { throw FileError(fmt::format("{}: error[I05] {}", folder.string(), why)); };
+  const bool exists = fs::exists(folder, failure);
+  if (failure && failure != std::errc::no_such_file_or_directory) refuse("cannot be looked at: " + failure.message());
+  if (exists && !fs::is_directory(folder, failure)) refuse("is a file - a folder for the results is needed");
+  if (exists && !fs::is_empty(folder, failure)) {
+    if (failure) refuse("cannot be looked at: " + failure.message());
+    const bool has_results = std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name, failure); });
+    if (!has_results) refuse("holds other files and no results - name an empty folder with -o");
+    if (!overwrite) refuse("holds results already - use --overwrite, or another folder with -o");
+    for (const auto& name : run_files) {
+      fs::remove(folder / name, failure);
+      if (failure) refuse(fmt::format("\"{}\" in it cannot be replaced: {}", name, failure.message()));
+    }
   }
   fs::create_directories(folder, failure);
-  if (failure) throw FileError(fmt::format("{}: error[I05] cannot be made: {}", folder.string(), failure.message()));
+  if (failure) refuse("cannot be made: " + failure.message());
 }
 
 std::string sha256(const std::string& text) {
@@ -88,7 +89,7 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));
   for (const auto& pair : scene.pairs)
     text +=
-        fmt::format("  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}\n",
+        fmt::format("  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}; the law yields at partly covered nodes\n",
                     pair.name, pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
   return text;
 }

@@ -107,6 +107,7 @@ class WrongSigns {
       : closed_(closed), no_gap_(closed.size(), 0.0) {
     for (const auto& pair : scene.pairs)
       for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) no_gap_[pair.first_multiplier + k] = 1e-13 * pair.size;
+    no_pressure_ = scene.pressure_floor();
     for (std::size_t k = 0; k < slack.size(); ++k)
       if (closed[k]) no_pressure_ = std::max(no_pressure_, 1e-12 * std::abs(slack[k]));
   }

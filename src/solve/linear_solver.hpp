@@ -27,6 +27,8 @@ class LinearSolver {
  private:
   std::variant<DirectSolver, IterativeSolver> solver_;
   std::string choice_;
+  GlobalIndex n_positions_;
+  double no_length_;
   double accepted_residual_;
   RCP<const Matrix> original_;  // of the last `factor`
   RCP<Matrix> reduced_;         // without the columns of known unknowns

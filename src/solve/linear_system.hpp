@@ -13,7 +13,7 @@ struct LinearReport {
   bool solved = false;
   std::string cause;         ///< why not
   int iterations = 0;        ///< of an iterative solver; 0 for a direct one
-  double true_residual = 0;  ///< |b - A x| / |b|, always computed
+  double true_residual = 0;  ///< of b - A x, always computed; see `backward_error`
   int null_pivots = 0;       ///< of a direct solver: rank deficiency it met
 };
 
@@ -27,6 +27,11 @@ void zero_known_columns(Matrix& A, const std::vector<char>& identity_rows);
 /// Rows that are identities determine their unknowns at once: their columns go to the right-hand side, the graph stays.
 /// @param identity_rows per owned row, 1 where the row is the identity  @param b right-hand side, changed
 void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b);
+
+/// Backward error of x, the same in all units: the greater of |b - A x| / (|A| |x| + |b|) over the rows below `n_first` (forces) and over the
+/// others (lengths), |x| the greatest position and the greatest pressure.
+/// @param no_length added to the size of the lengths: gaps far below it are round-off already
+double backward_error(const Matrix& A, const Vector& x, const Vector& b, GlobalIndex n_first, double no_length);
 
 /// |b - A x| / |b|; 0 if b is zero and A x too.
 double true_residual(const Matrix& A, const Vector& x, const Vector& b);

@@ -12,6 +12,7 @@
 #include <Teuchos_oblackholestream.hpp>
 #include <map>
 
+#include "assembly/rigid_modes.hpp"
 #include "solve/newton_group.hpp"
 
 namespace mortise {
@@ -57,15 +58,15 @@ class StepLengthFactory : public NOX::LineSearch::UserDefinedFactory {
 /// Convergence of a step (conventions, section 8), the log of the active set, and cycles.
 class StepStatus : public NOX::StatusTest::Generic {
  public:
-  StepStatus(std::shared_ptr<NewtonShared> shared, const SolverOptions& options, StepResult& result)
-      : shared_(std::move(shared)), options_(options), result_(result) {}
+  StepStatus(std::shared_ptr<NewtonShared> shared, const SolverOptions& options, const State& start, StepResult& result)
+      : shared_(std::move(shared)), options_(options), start_(start), result_(result) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& group = dynamic_cast<const NewtonGroup&>(solver.getSolutionGroup());
     const int iteration = solver.getNumIterations();
     status_ = NOX::StatusTest::Unconverged;
     result_.iterations = iteration;
-    if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause);
+    if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause + free_bodies_in_words());
     if (!group.isF() || !group.evaluation().admissible)
       return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
     const Evaluation& e = group.evaluation();
@@ -88,7 +89,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     const double h = scene.size;
     const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, scene.force_floor) &&
                        e.gap_residual <= options_.tolerance * h && e.support_residual <= options_.tolerance * h &&
-                       e.pressure_residual <= options_.tolerance * e.pressure_scale;
+                       e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor());
     if (small && settled && iteration > 0) {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
       return status_;
@@ -110,6 +111,20 @@ class StepStatus : public NOX::StatusTest::Generic {
     return status_ = NOX::StatusTest::Failed;
   }
 
+  // A singular tangent most often means that nothing holds a body any more: says which, and how it can move.
+  std::string free_bodies_in_words() {
+    const StepProblem& problem = shared_->problem;
+    std::vector<Vec3<double>> normals;
+    const auto x = problem.to_overlap(*start_.x);
+    for (const auto& pair : problem.pairs())
+      for (const auto& n : pair->normals(x->getData().getRawPtr())) normals.push_back(n);
+    std::string text;
+    for (const auto& body : free_bodies(problem.scene(), previous_, normals))
+      text += fmt::format("; body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));
+    result_.is_free = !text.empty();
+    return text;
+  }
+
   // Nodes at round-off in both gap and pressure may flip for ever: their branch does not matter (case C3).
   bool compare_sets(const Evaluation& e, const Vector& x) {
     opened_ = closed_ = 0;
@@ -129,7 +144,7 @@ class StepStatus : public NOX::StatusTest::Generic {
       const auto& map = *x.getMap();
       const auto pressure = x.getData(), gap = e.gap->getData();
       const long long first = 3LL * shared_->problem.dofs().n_nodes();
-      const double no_gap = 1e-12 * shared_->problem.scene().size, no_pressure = 1e-12 * std::max(1e-300, greatest_pressure(x));
+      const double no_gap = 1e-12 * shared_->problem.scene().size, no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor());
       std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
       for (std::size_t k = 0; k < changed.size(); ++k) {
         const int local = map.getLocalElement(first + changed[k]);
@@ -167,6 +182,7 @@ class StepStatus : public NOX::StatusTest::Generic {
 
   std::shared_ptr<NewtonShared> shared_;
   const SolverOptions& options_;
+  const State& start_;
   StepResult& result_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<char> previous_;
@@ -185,7 +201,7 @@ StepResult Newton::solve(const State& from, double t) {
   auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
   const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
   const auto group = Teuchos::rcp(new NewtonGroup(shared, x));
-  const auto status = Teuchos::rcp(new StepStatus(shared, options_, result));
+  const auto status = Teuchos::rcp(new StepStatus(shared, options_, from, result));
 
   const auto list = Teuchos::parameterList();
   list->set("Nonlinear Solver", "Line Search Based");

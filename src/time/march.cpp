@@ -87,15 +87,15 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
       ++summary.cuts;
       summary.wasted_iterations += result.iterations;
       const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
-      const bool go_on = size.cut(dt);
+      const bool go_on = size.cut(dt) && !result.is_free;
       const std::string next =
-          go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : "  next:  nothing, the smallest step is reached";
+          go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body" : "  next:  nothing, the smallest step is reached");
       log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
                       iteration_table(result), cause, next));
       progress(fmt::format("{}: not converged, {}", head, cause));
       if (!go_on) {
         summary.code = ExitCode::no_convergence;
-        summary.cause = fmt::format("{}: no step converged at the smallest dt; {}", head, cause);
+        summary.cause = fmt::format("{}: no step converged{}; {}", head, result.is_free ? "" : " at the smallest dt", cause);
         break;
       }
       continue;
