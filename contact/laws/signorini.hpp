@@ -5,8 +5,10 @@
 
 namespace mortise {
 
-/// The branch of the law: closed if  p - c g > 0. Nodes at round-off in both stay closed, so that a body that rests without load is held.
-/// @param p contact pressure [Pa]  @param g gap [m]  @param c complementarity constant > 0 [Pa/m]  @param round_off pressure that means nothing [Pa]
+/// The branch of the law: closed if  p - c g > 0. Nodes at round-off in both stay closed, so that a body that rests without load
+/// is held.
+/// @param p contact pressure [Pa]  @param g gap [m]  @param c complementarity constant > 0 [Pa/m]  @param round_off pressure that
+/// means nothing [Pa]
 template <class T>
 bool is_closed(const T& p, const T& g, double c, double round_off = 0) {
   return value(p) - c * value(g) > -round_off;

@@ -52,7 +52,7 @@ void MortarTerm::list_points(Facet& facet) {
   for (int corner : facet.corner) facet.points.push_back(pressure_point(corner));
 }
 
-bool MortarTerm::search(const double* x, double reach) {
+bool MortarTerm::search(const double* x, double reach, double inward) {
   ++counts_.searches;
   const auto box_of = [&](const std::array<int, 4>& facet) {
     Box box;
@@ -67,9 +67,12 @@ bool MortarTerm::search(const double* x, double reach) {
     // Along the normal as far as overlaps count, to all sides by what the surfaces may move.
     const auto& nodes = pair_.secondary.facets[facet.index];
     Vec3<double> normal = cross(position(x, nodes[2]) - position(x, nodes[0]), position(x, nodes[3]) - position(x, nodes[1]));
-    normal = (farthest() / norm(normal)) * normal;
+    normal = (1 / norm(normal)) * normal;
     Box box = box_of(nodes);
-    for (int node : nodes) box.include(position(x, node) + normal);
+    for (int node : nodes) {
+      box.include(position(x, node) + farthest() * normal);
+      box.include(position(x, node) - inward * normal);
+    }
     box.widen(reach);
     auto hits = tree.query(box);
     if (hits == facet.candidates) continue;
@@ -147,7 +150,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
-  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows each of covered and whole areas.
+  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows each of covered and whole
+  // areas.
   const int n_local = 28 + 3 * facet.n_primary;
   std::vector<double> K;
   facet.matrix.clear();
@@ -208,7 +212,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
     chain_normals(facet, K, n_local);
   }
 
-  const double whole = whole_by_node[0] + whole_by_node[1] + whole_by_node[2] + whole_by_node[3], error = std::abs(covered - whole) / whole;
+  const double whole = whole_by_node[0] + whole_by_node[1] + whole_by_node[2] + whole_by_node[3],
+               error = std::abs(covered - whole) / whole;
   if (error < 1e-6) {  // nearer than any true partial cover of a mesh that is not made to deceive
     closure_ = std::max(closure_, error);
     ++n_covered_;

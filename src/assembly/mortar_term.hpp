@@ -32,9 +32,10 @@ class MortarTerm {
  public:
   MortarTerm(const Scene& scene, const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
 
-  /// Lists for each facet the primary facets whose boxes overlap its own, stretched along the normal by `farthest` and widened by `reach`. @param x positions on the overlap
+  /// Lists for each facet the primary facets whose boxes overlap its own, stretched outward along the normal by `farthest`,
+  /// inward by `inward`, and widened by `reach`. @param x positions on the overlap
   /// @return whether a list changed
-  bool search(const double* x, double reach);
+  bool search(const double* x, double reach, double inward);
 
   /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
   void append_cells(std::vector<Cell>& cells);
@@ -69,10 +70,10 @@ class MortarTerm {
     std::vector<int> points;      // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
-    std::vector<double> matrix;                  // last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas
+    std::vector<double> matrix;  // last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas
   };
-  /// Overlaps with a greater mean gap do not count as covering: neither what lies beyond a step of the surface, nor how far the search
-  /// happens to look, may enter the mean gap of a node [m].
+  /// Overlaps with a greater mean gap do not count as covering: neither what lies beyond a step of the surface, nor how far the
+  /// search happens to look, may enter the mean gap of a node [m].
   double farthest() const { return std::max(pair_.size, pair_.primary_size); }
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);

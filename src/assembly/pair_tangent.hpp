@@ -33,8 +33,8 @@ bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule,
 /// then the pair's equations by AD over all 40 inputs. @see pair_residual.hpp
 bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out);
 
-/// Whole projected area of a secondary facet, by node [m^2], and its derivative (columns as in `PairTangent`, without pressures); the primary
-/// nodes of the input have no part in it.
+/// Whole projected area of a secondary facet, by node [m^2], and its derivative (columns as in `PairTangent`, without pressures);
+/// the primary nodes of the input have no part in it.
 void whole_area_tangent(const PairInput& input, double whole_area[4], double d[4][36]);
 
 /// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch

@@ -128,14 +128,15 @@ void StepProblem::update_search(const Vector& overlap_x) {
     skin = std::max(skin, 0.25 * pair.size);
     size = std::max({size, pair.size, pair.primary_size});
   }
-  // At the start nobody knows how deep bodies are inside each other: five facets are looked through.
-  const double depth = start_x_.is_null() ? 5 * size : 2 * greatest_motion(*start_x_, overlap_x);
+  const bool is_start = start_x_.is_null();
+  const double depth = is_start ? 0.0 : 2 * greatest_motion(*start_x_, overlap_x);
   if (matrix_ && !search_x_.is_null() && depth + 2 * greatest_motion(*search_x_, overlap_x) <= reach_) return;
   const Stopwatch watch(counts_.seconds_search);
   reach_ = 2 * skin + depth;
   std::vector<int> changed{0};
   for (auto& pair : pairs_)
-    if (pair->search(data(overlap_x), reach_)) changed[0] = 1;
+    if (pair->search(data(overlap_x), reach_, is_start ? 5 * size : 0.0))
+      changed[0] = 1;  // nobody knows yet how deep they are inside
   search_x_ = Teuchos::rcp(new Vector(overlap_x, Teuchos::Copy));
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, changed);
   if (changed[0] || !matrix_) build_graph();
@@ -248,10 +249,10 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   return out;
 }
 
-// A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as the edge
-// of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its gap. So the law
-// yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered.
-// A tenth of both sides' h/E [m/Pa] is the least that keeps the ironing with the coarse side as secondary solvable in every step.
+// A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as
+// the edge of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its
+// gap. So the law yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered. A
+// tenth of both sides' h/E [m/Pa] is the least that keeps the ironing with the coarse side as secondary solvable in every step.
 double yielding_rate(const ContactPair& pair) {
   return 0.1 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
 }
@@ -293,7 +294,8 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       const bool closed = is_closed(pressure[at], gap[at], c, scene_.pressure_floor());
       out.closed[multiplier] = closed;
       // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
-      residual[at] = closed ? gap[at] + compliance[at] * pressure[at] : complementarity(pressure[at], gap[at], c, scene_.pressure_floor());
+      residual[at] =
+          closed ? gap[at] + compliance[at] * pressure[at] : complementarity(pressure[at], gap[at], c, scene_.pressure_floor());
       double& greatest = closed ? out.gap_residual : out.pressure_residual;
       greatest = std::max(greatest, std::abs(residual[at]));
       if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
@@ -379,9 +381,9 @@ State StepProblem::initial_state() {
   for (const auto& pair : scene_.pairs)
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       if (deep[pair.first_multiplier + k])
-        messages.push_back(fmt::format("{}{} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart", pair.where_penetrating,
-                                       describe_node(scene_.mesh, pair.secondary_nodes[k]), depth[pair.first_multiplier + k] / pair.size,
-                                       pair.size));
+        messages.push_back(fmt::format("{}{} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart",
+                                       pair.where_penetrating, describe_node(scene_.mesh, pair.secondary_nodes[k]),
+                                       depth[pair.first_multiplier + k] / pair.size, pair.size));
   if (!messages.empty()) throw MeshError(messages);
   return state;
 }

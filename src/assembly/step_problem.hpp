@@ -26,8 +26,8 @@ struct Evaluation {
   double force_residual = 0;                ///< |R| over free positions [N]
   double force_scale = 0;                   ///< max(|f_int|, |f_ext|, |f_contact|) [N]
   double gap_residual = 0;                  ///< greatest |gap| of a closed node [m]
-  double pressure_residual = 0;     ///< greatest |p| of an open node [Pa]
-  double pressure_scale = 0;        ///< greatest |p| of a closed node [Pa]
+  double pressure_residual = 0;             ///< greatest |p| of an open node [Pa]
+  double pressure_scale = 0;                ///< greatest |p| of a closed node [Pa]
   double support_residual = 0;              ///< greatest distance of a supported component from where it should be [m]
   std::vector<char> closed;                 ///< per multiplier of the scene: the branch its law took
   std::vector<char> covered;                ///< per multiplier, on the rank that owns it: something lies opposite the node

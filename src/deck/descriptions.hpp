@@ -105,7 +105,8 @@ void describe(Fields& f, ContactOptions& o) {
       "that the other side covers: at partly covered nodes the contact law yields a little");
   f.required("primary", o.primary, anything, "", "mesh name / side set on the other side (master, mortar)");
   f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
-           "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; where "
+           "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; "
+           "where "
            "a node is partly covered a closed gap yields by 0.1 (h/E of both sides) (whole area / covered area - 1) pressure; "
            "facets further apart than one facet do not count");
   f.choice("contact force", o.force, Choices<ContactForce>{{"thesis", ContactForce::thesis}}, Presence::optional,

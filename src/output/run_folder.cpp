@@ -31,7 +31,8 @@ void prepare_run_folder(const fs::path& folder, bool overwrite) {
   if (exists && !fs::is_directory(folder, failure)) refuse("is a file - a folder for the results is needed");
   if (exists && !fs::is_empty(folder, failure)) {
     if (failure) refuse("cannot be looked at: " + failure.message());
-    const bool has_results = std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name, failure); });
+    const bool has_results =
+        std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name, failure); });
     if (!has_results) refuse("holds other files and no results - name an empty folder with -o");
     if (!overwrite) refuse("holds results already - use --overwrite, or another folder with -o");
     for (const auto& name : run_files) {
@@ -88,9 +89,10 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       "  inertia: off (static)\n  prescribed motion: {}\n  traction: {}\n  contact: {}\n  friction: off\n  damping: off\n",
       on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));
   for (const auto& pair : scene.pairs)
-    text +=
-        fmt::format("  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}; the law yields at partly covered nodes\n",
-                    pair.name, pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
+    text += fmt::format(
+        "  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}; the law "
+        "yields at partly covered nodes\n",
+        pair.name, pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
   return text;
 }
 

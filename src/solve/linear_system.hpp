@@ -28,8 +28,8 @@ void zero_known_columns(Matrix& A, const std::vector<char>& identity_rows);
 /// @param identity_rows per owned row, 1 where the row is the identity  @param b right-hand side, changed
 void eliminate_identity_columns(Matrix& A, const std::vector<char>& identity_rows, Vector& b);
 
-/// Backward error of x, the same in all units: the greater of |b - A x| / (|A| |x| + |b|) over the rows below `n_first` (forces) and over the
-/// others (lengths), |x| the greatest position and the greatest pressure.
+/// Backward error of x, the same in all units: the greater of |b - A x| / (|A| |x| + |b|) over the rows below `n_first` (forces)
+/// and over the others (lengths), |x| the greatest position and the greatest pressure.
 /// @param no_length added to the size of the lengths: gaps far below it are round-off already
 double backward_error(const Matrix& A, const Vector& x, const Vector& b, GlobalIndex n_first, double no_length);
 

@@ -144,7 +144,8 @@ class StepStatus : public NOX::StatusTest::Generic {
       const auto& map = *x.getMap();
       const auto pressure = x.getData(), gap = e.gap->getData();
       const long long first = 3LL * shared_->problem.dofs().n_nodes();
-      const double no_gap = 1e-12 * shared_->problem.scene().size, no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor());
+      const double no_gap = 1e-12 * shared_->problem.scene().size,
+                   no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor());
       std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
       for (std::size_t k = 0; k < changed.size(); ++k) {
         const int local = map.getLocalElement(first + changed[k]);

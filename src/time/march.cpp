@@ -88,8 +88,9 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
       summary.wasted_iterations += result.iterations;
       const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
       const bool go_on = size.cut(dt) && !result.is_free;
-      const std::string next =
-          go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt) : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body" : "  next:  nothing, the smallest step is reached");
+      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt)
+                                     : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body"
+                                                                  : "  next:  nothing, the smallest step is reached");
       log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
                       iteration_table(result), cause, next));
       progress(fmt::format("{}: not converged, {}", head, cause));

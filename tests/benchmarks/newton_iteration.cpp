@@ -17,7 +17,9 @@ using namespace mortise;
 std::string deck_text(int n) {
   std::ifstream in(MORTISE_SOURCE_DIR "/inputs/ironing/frictionless.xml");
   std::string text{std::istreambuf_iterator<char>(in), {}};
-  const auto replace = [&text](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
   replace("{20, 5, 3}", fmt::format("{{{}, {}, {}}}", 20 * n, 5 * n, 3 * n));
   replace("{4, 4, 4}", fmt::format("{{{}, {}, {}}}", 4 * n, 4 * n, 4 * n));
   return text;

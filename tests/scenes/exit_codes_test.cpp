@@ -104,7 +104,7 @@ TEST_F(Mistake, FileThatCannotBeWrittenEndsAllRanks) {
     const std::string out = "out_" + name.substr(0, 4);
     std::filesystem::create_directories(folder / out / name / "a folder in the way");
     folder.write("deck.xml", patch);
-    expect(5, "run deck.xml --overwrite -o " + out, {"error[I02]", name}, 2);
+    expect(5, "run deck.xml --overwrite -o " + out, {"error[I05]", name}, 2);
   }
 }
 

@@ -24,11 +24,14 @@ struct Finished {
 
 /// Runs `mortise ARGUMENTS` (already quoted for the shell) in `folder`, by mpirun if on more than one rank. A program that hangs
 /// is ended after five minutes: code 124.
-inline Finished run_mortise(const ScratchFolder& folder, const std::string& arguments, int ranks = 1) {
+/// @param before shell commands without ' that each rank runs first, e.g. to set limits
+inline Finished run_mortise(const ScratchFolder& folder, const std::string& arguments, int ranks = 1,
+                            const std::string& before = "") {
   std::string command = "cd '" + (folder / "").string() +
                         "' && OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
                         "OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_hwloc_base_binding_policy=none timeout 300 ";
   if (ranks > 1) command += std::string(MORTISE_MPIEXEC) + " --oversubscribe -n " + std::to_string(ranks) + " ";
+  if (!before.empty()) command += "bash -c '" + before + "; exec \"$0\" \"$@\"' ";
   command += std::string(MORTISE_BINARY_DIR) + "/mortise " + arguments + " >stdout.txt 2>stderr.txt </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "stdout.txt"), text_of(folder / "stderr.txt")};
