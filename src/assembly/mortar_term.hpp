@@ -30,7 +30,7 @@ struct NodalSums {
 /// Order of calls: `search`, then per evaluation `integrate` -> (nodal sums over ranks, law) -> `add_...`.
 class MortarTerm {
  public:
-  MortarTerm(const Scene& scene, const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
+  MortarTerm(const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
 
   /// Lists for each facet the primary facets whose boxes overlap its own, stretched outward along the normal by `farthest`,
   /// inward by `inward`, and widened by `reach`. @param x positions on the overlap

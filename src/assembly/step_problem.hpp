@@ -32,6 +32,8 @@ struct Evaluation {
   std::vector<char> closed;                 ///< per multiplier of the scene: the branch its law took
   std::vector<char> covered;                ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
+  int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
+  int first_partly_covered = -1;  ///< the first of them, -1: none
 };
 
 /// Where and how often work was done; printed with the run and compared in tests.
@@ -95,7 +97,11 @@ class StepProblem {
   void update_search(const Vector& overlap_x);
   double greatest_motion(const Vector& from, const Vector& to) const;
   void build_graph();
-  struct LawRows;
+  /// Factors of the derivatives that make up a pressure's row, on the owned map.
+  struct LawRows {
+    explicit LawRows(const RCP<const Map>& map) : gap(map), covered(map), whole(map) {}
+    Vector gap, covered, whole;
+  };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
   void find_normal_stiffness();
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;

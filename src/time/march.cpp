@@ -104,6 +104,9 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
     ++summary.steps;
     summary.newton_iterations += result.iterations;
     log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
+    if (const Evaluation& e = result.evaluation; e.n_partly_covered > 0)
+      log(fmt::format("  {} closed nodes are partly covered and yield, first: {}\n", e.n_partly_covered,
+                      name_of_multiplier(scene, e.first_partly_covered)));
     const StepRecord record{summary.steps, t, dt, result.iterations, cuts, size.is_stop(t)};
     for (const auto& observe : observers) observe(state, result.state, result.evaluation, record);
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

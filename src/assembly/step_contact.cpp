@@ -1,0 +1,162 @@
+// The contact side of a step's equations: the law of every secondary node, its constants, and how contact starts.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "assembly/step_problem.hpp"
+#include "assembly/vectors.hpp"
+#include "contact/laws/signorini.hpp"
+#include "errors.hpp"
+
+namespace mortise {
+namespace {
+
+// A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as
+// the edge of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its
+// gap. So the law yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered. A
+// tenth of both sides' h/E [m/Pa] is the least that keeps the ironing with the coarse side as secondary solvable in every step.
+double yielding_rate(const ContactPair& pair) {
+  return 0.1 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
+}
+
+}  // namespace
+
+void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows) {
+  out.compliance = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double *gap = data(*out.gap), *residual = data(*out.residual), *compliance = data(*out.compliance);
+  double *d_gap = data(rows.gap), *d_covered = data(rows.covered), *d_whole = data(rows.whole);
+  const double *area = data(*out.area), *pressure = data(x), *whole = data(whole_area);
+  out.closed.assign(scene_.n_multipliers, 0);
+  out.covered.assign(scene_.n_multipliers, 0);
+  std::vector<int> partly_covered;
+  for (const auto& pair : pairs_) {
+    const ContactPair& p = pair->pair();
+    for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
+      const int point = pair->pressure_point(k);
+      if (!dofs_.owned(point)) continue;
+      const int at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
+      const bool covered = area[at] > 1e-10 * p.tributary_area[k];
+      out.covered[multiplier] = covered;
+      identity_rows_[at] = !covered;
+      if (!covered) {
+        gap[at] = 0;
+        residual[at] = pressure[at];
+        out.pressure_residual = std::max(out.pressure_residual, std::abs(pressure[at]));
+        continue;
+      }
+      gap[at] /= area[at];
+      // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
+      d_gap[at] = 1 / area[at];
+      d_covered[at] = -gap[at] / area[at];
+      const double lacking = whole[at] / area[at] - 1 - 1e-6;  // quadrature on warped facets leaves 1e-7 where all is covered
+      if (lacking > 0) {
+        const double rate = yielding_rate(p);
+        compliance[at] = rate * lacking;
+        d_covered[at] -= rate * pressure[at] * whole[at] / (area[at] * area[at]);
+        d_whole[at] = rate * pressure[at] / area[at];
+      }
+      const double c = complementarity_constant(p, k, area[at]);
+      const bool closed = is_closed(pressure[at], gap[at], c, scene_.pressure_floor());
+      out.closed[multiplier] = closed;
+      if (closed && compliance[at] > 0) partly_covered.push_back(multiplier);
+      // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
+      residual[at] =
+          closed ? gap[at] + compliance[at] * pressure[at] : complementarity(pressure[at], gap[at], c, scene_.pressure_floor());
+      double& greatest = closed ? out.gap_residual : out.pressure_residual;
+      greatest = std::max(greatest, std::abs(residual[at]));
+      if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
+    }
+  }
+  out.n_partly_covered = all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(partly_covered.size()));
+  if (out.n_partly_covered > 0)
+    out.first_partly_covered =
+        all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, partly_covered.empty() ? scene_.n_multipliers : partly_covered.front());
+  std::vector<int> all(out.closed.begin(), out.closed.end());
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, all);
+  for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
+}
+
+// c_n [Pa/m]: both bodies' normal stiffness per area in series, k_I / A_I of the secondary node and E/h of the primary body, so
+// that the softer one rules. (The stiff side's own k_I / A_I would open every node of a hard indenter at the slightest residual
+// gap.)
+double StepProblem::complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const {
+  const double secondary = std::max(normal_stiffness_[pair.first_multiplier + k] / covered_area, pair.youngs_modulus / pair.size);
+  return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
+}
+
+// Normal stiffness k_I of each secondary node in the reference configuration.
+void StepProblem::find_normal_stiffness() {
+  normal_stiffness_.assign(scene_.n_multipliers, 0.0);
+  Vector X(dofs_.owned_map());
+  RCP<Matrix> K;
+  double* q = data(X);
+  for (int n = 0; n < dofs_.n_nodes(); ++n)
+    if (dofs_.owned(n))
+      for (int i = 0; i < 3; ++i) q[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  const auto saved = std::move(prescribed_);
+  prescribed_.clear();
+  linearise(X, K);
+  prescribed_ = saved;
+  const auto local = K->getLocalMatrixHost();
+  const auto overlap_x = to_overlap(X);
+  for (const auto& pair : pairs_) {
+    const auto normals = pair->normals(data(*overlap_x));
+    for (std::size_t k = 0; k < normals.size(); ++k) {
+      const int node = pair->pair().secondary_nodes[k];
+      if (!dofs_.owned(node)) continue;
+      double stiffness = 0;
+      for (int i = 0; i < 3; ++i) {
+        const int row = dofs_.local(node) + i;
+        for (auto entry = local.graph.row_map(row); entry < local.graph.row_map(row + 1); ++entry) {
+          const GlobalIndex j = K->getColMap()->getGlobalElement(local.graph.entries(entry)) - 3LL * node;
+          if (j >= 0 && j < 3) stiffness += normals[k][i] * local.values(entry) * normals[k][j];
+        }
+      }
+      normal_stiffness_[pair->pair().first_multiplier + k] = stiffness;
+    }
+  }
+}
+
+State StepProblem::initial_state() {
+  State state;
+  state.x = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double* x = data(*state.x);
+  for (int n = 0; n < dofs_.n_nodes(); ++n)
+    if (dofs_.owned(n))
+      for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  if (pairs_.empty()) return state;
+
+  find_normal_stiffness();
+  const Evaluation at_rest = evaluate(*state.x);
+  const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
+  std::vector<int> deep(scene_.n_multipliers, 0);
+  std::vector<double> depth(scene_.n_multipliers, 0.0);
+  for (const auto& pair : pairs_) {
+    const ContactPair& p = pair->pair();
+    for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
+      const int point = pair->pressure_point(k), at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
+      if (!dofs_.owned(point) || !(area[at] > 1e-10 * p.tributary_area[k])) continue;
+      const double touch = 1e-8 * p.size;
+      if (gap[at] < -touch) {
+        deep[multiplier] = 1;
+        depth[multiplier] = -gap[at];
+      } else if (gap[at] <= touch) {
+        x[at] = 2 * touch * complementarity_constant(p, k, area[at]);
+      }
+    }
+  }
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, deep);
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, depth);
+  std::vector<std::string> messages;
+  for (const auto& pair : scene_.pairs)
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+      if (deep[pair.first_multiplier + k])
+        messages.push_back(fmt::format("{}{} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart",
+                                       pair.where_penetrating, describe_node(scene_.mesh, pair.secondary_nodes[k]),
+                                       depth[pair.first_multiplier + k] / pair.size, pair.size));
+  if (!messages.empty()) throw MeshError(messages);
+  return state;
+}
+
+}  // namespace mortise
