@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <Teuchos_CommHelpers.hpp>
 #include <Tpetra_Core.hpp>
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
@@ -32,6 +33,7 @@ int finish(const Comm& comm, int code, const std::string& message) {
 
 int main(int argc, char** argv) {
   single_blas_thread();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the limit is a failed write, told as such
   Tpetra::ScopeGuard mpi(&argc, &argv);
   const auto comm = Tpetra::getDefaultComm();
   const bool is_root = comm->getRank() == 0;

@@ -14,10 +14,11 @@ namespace {
 
 // A node that is partly covered constrains the same motion as its neighbours, with less area to press on, and its gap changes as
 // the edge of the other surface moves: the first touch of an edge would make its pressure jump, and pressing may even deepen its
-// gap. So the law yields there: gap + s p = 0 with s growing as the cover shrinks, and s = 0 where the node is fully covered. A
-// tenth of both sides' h/E [m/Pa] is the least that keeps the ironing with the coarse side as secondary solvable in every step.
-double yielding_rate(const ContactPair& pair) {
-  return 0.1 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
+// gap. So the law yields there: gap + s p = 0, s = yielding (whole area / covered area - 1)^2, which is 0 where all is covered,
+// small where much is, and lets go of slivers. A millionth of both sides' h/E [m/Pa] is about the least with which every step of
+// the ironing with the coarse side as secondary has a solution.
+double yielding(const ContactPair& pair) {
+  return 1e-6 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
 }
 
 }  // namespace
@@ -51,10 +52,10 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       d_covered[at] = -gap[at] / area[at];
       const double lacking = whole[at] / area[at] - 1 - 1e-6;  // quadrature on warped facets leaves 1e-7 where all is covered
       if (lacking > 0) {
-        const double rate = yielding_rate(p);
-        compliance[at] = rate * lacking;
-        d_covered[at] -= rate * pressure[at] * whole[at] / (area[at] * area[at]);
-        d_whole[at] = rate * pressure[at] / area[at];
+        const double factor = yielding(p);
+        compliance[at] = factor * lacking * lacking;
+        d_covered[at] -= 2 * factor * lacking * pressure[at] * whole[at] / (area[at] * area[at]);
+        d_whole[at] = 2 * factor * lacking * pressure[at] / area[at];
       }
       const double c = complementarity_constant(p, k, area[at]);
       const bool closed = is_closed(pressure[at], gap[at], c, scene_.pressure_floor());
@@ -149,12 +150,19 @@ State StepProblem::initial_state() {
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, deep);
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, depth);
   std::vector<std::string> messages;
-  for (const auto& pair : scene_.pairs)
-    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
-      if (deep[pair.first_multiplier + k])
-        messages.push_back(fmt::format("{}{} penetrates by {:.3g} h at the start (h = {:.3g}) - move the mesh apart",
-                                       pair.where_penetrating, describe_node(scene_.mesh, pair.secondary_nodes[k]),
-                                       depth[pair.first_multiplier + k] / pair.size, pair.size));
+  for (const auto& pair : scene_.pairs) {
+    int n_deep = 0, deepest = -1;
+    for (int k = 0; k < static_cast<int>(pair.secondary_nodes.size()); ++k) {
+      if (!deep[pair.first_multiplier + k]) continue;
+      ++n_deep;
+      if (deepest < 0 || depth[pair.first_multiplier + k] > (1 + 1e-9) * depth[pair.first_multiplier + deepest]) deepest = k;
+    }
+    if (n_deep > 0)
+      messages.push_back(
+          fmt::format("{}{} secondary nodes penetrate at the start, {} by {:.3g} h (h = {:.3g}) - move the mesh apart",
+                      pair.where_penetrating, n_deep, describe_node(scene_.mesh, pair.secondary_nodes[deepest]),
+                      depth[pair.first_multiplier + deepest] / pair.size, pair.size));
+  }
   if (!messages.empty()) throw MeshError(messages);
   return state;
 }

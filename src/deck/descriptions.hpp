@@ -107,7 +107,7 @@ void describe(Fields& f, ContactOptions& o) {
   f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
            "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; "
            "where "
-           "a node is partly covered a closed gap yields by 0.1 (h/E of both sides) (whole area / covered area - 1) pressure; "
+           "a node is partly covered a closed gap yields by 1e-6 (h/E of both sides) (whole area / covered area - 1)^2 pressure; "
            "facets further apart than one facet do not count");
   f.choice("contact force", o.force, Choices<ContactForce>{{"thesis", ContactForce::thesis}}, Presence::optional,
            "thesis: the variation of the weighted gap with the mortar weights held and the normal varied (eq. 4.123); "

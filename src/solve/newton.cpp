@@ -122,6 +122,9 @@ class StepStatus : public NOX::StatusTest::Generic {
     for (const auto& body : free_bodies(problem.scene(), previous_, normals))
       text += fmt::format("; body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));
     result_.is_free = !text.empty();
+    if (text.empty())
+      for (const auto& body : free_bodies(problem.scene(), std::vector<char>(normals.size(), 0), normals))
+        text += fmt::format("; without contact body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));
     return text;
   }
 

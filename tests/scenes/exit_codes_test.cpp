@@ -124,8 +124,8 @@ TEST_F(Mistake, BodyThatHangsOnOpenContactIsFree) {
 
 TEST_F(Mistake, PenetrationAtTheStartIsNamed) {
   for (int ranks : {1, 2})
-    expect_deck(3, with(patch, "{0, 0, 60}", "{0, 0, 59}"), {"node 1 of mesh \"upper\" penetrates", "contact > upper on lower"},
-                ranks);
+    expect_deck(3, with(patch, "{0, 0, 60}", "{0, 0, 59}"),
+                {"16 secondary nodes penetrate", "node 1 of mesh \"upper\" by 0.05 h", "contact > upper on lower"}, ranks);
 }
 
 TEST_F(Mistake, FormulaThatGivesNoNumberIsNamed) {
