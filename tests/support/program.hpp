@@ -32,7 +32,7 @@ inline Finished run_mortise(const ScratchFolder& folder, const std::string& argu
                         "OMPI_MCA_mpi_yield_when_idle=1 OMPI_MCA_hwloc_base_binding_policy=none timeout 300 ";
   if (ranks > 1) command += std::string(MORTISE_MPIEXEC) + " --oversubscribe -n " + std::to_string(ranks) + " ";
   if (!before.empty()) command += "bash -c '" + before + "; exec \"$0\" \"$@\"' ";
-  command += std::string(MORTISE_BINARY_DIR) + "/mortise " + arguments + " >stdout.txt 2>stderr.txt </dev/null";
+  command += "'" + std::string(MORTISE_BINARY_DIR) + "/mortise' " + arguments + " >stdout.txt 2>stderr.txt </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "stdout.txt"), text_of(folder / "stderr.txt")};
 }
