@@ -56,7 +56,7 @@ TEST_F(Mistake, UnknownSetIsAnsweredWithTheNearestName) {
 TEST_F(Mistake, MeshThatIsNone) {
   folder.write("slab.e", "no mesh");
   ASSERT_EQ(
-      run_mortise(folder, "mesh " + std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/indenter_recipe.xml -o indenter.e").code,
+      run_mortise(folder, "mesh '" + std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/indenter_recipe.xml' -o indenter.e").code,
       0);
   expect_deck(3, input_deck("ironing/frictionless_exodus.xml"), {"error[M01]", "slab.e"});
   expect(3, "check slab.e", {"error[M01]"});
@@ -64,8 +64,8 @@ TEST_F(Mistake, MeshThatIsNone) {
 
 TEST_F(Mistake, TruncatedMesh) {
   for (const std::string name : {"slab", "indenter"})
-    ASSERT_EQ(run_mortise(folder,
-                          "mesh " + std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/" + name + "_recipe.xml -o " + name + ".e")
+    ASSERT_EQ(run_mortise(folder, "mesh '" + std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/" + name + "_recipe.xml' -o " +
+                                      name + ".e")
                   .code,
               0);
   std::filesystem::resize_file(folder / "slab.e", std::filesystem::file_size(folder / "slab.e") / 2);

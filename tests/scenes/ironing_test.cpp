@@ -43,7 +43,7 @@ std::array<double, 2> expect_sound(const Table& table, const nlohmann::json& sum
   return across;
 }
 
-std::string deck(const std::string& name) { return std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/" + name + ".xml"; }
+std::string deck(const std::string& name) { return "'" + std::string(MORTISE_SOURCE_DIR) + "/inputs/ironing/" + name + ".xml'"; }
 
 TEST(Ironing, MeetsItsExpectedForcesAndIsTheSameOnOneTwoAndFourRanks) {
   const ScratchFolder folder;

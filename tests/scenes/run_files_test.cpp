@@ -9,7 +9,7 @@
 namespace mortise::test {
 namespace {
 
-const std::string patch_deck = std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/contact.xml";
+const std::string patch_deck = "'" + std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/contact.xml'";
 
 bool has(const std::vector<std::string>& list, const std::string& name) {
   return std::find(list.begin(), list.end(), name) != list.end();
@@ -101,7 +101,7 @@ TEST(Run, OfEveryPatchDeckMeetsItsExpectedValues) {
       {"contact", 1}, {"conforming", 2}, {"shifted", 4}, {"rotated", 2}, {"inclined", 4}};
   for (const auto& [name, ranks] : runs) {
     const auto run =
-        run_mortise(folder, "run " + std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/" + name + ".xml --quiet", ranks);
+        run_mortise(folder, "run '" + std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/" + name + ".xml' --quiet", ranks);
     EXPECT_EQ(run.code, 0) << run.err;
     EXPECT_GE(count_of(run.out, ": met"), 3) << run.out;
     EXPECT_TRUE(std::filesystem::exists(folder / name / "results.e"))
