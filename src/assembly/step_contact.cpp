@@ -58,12 +58,12 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
         d_whole[at] = 2 * factor * lacking * pressure[at] / area[at];
       }
       const double c = complementarity_constant(p, k, area[at]);
-      const bool closed = is_closed(pressure[at], gap[at], c, scene_.pressure_floor());
+      const double round_off = scene_.pressure_floor(), law = complementarity(pressure[at], gap[at], c, round_off);
+      const bool closed = is_closed(pressure[at], gap[at], c, round_off);
       out.closed[multiplier] = closed;
       if (closed && compliance[at] > 0) partly_covered.push_back(multiplier);
       // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
-      residual[at] =
-          closed ? gap[at] + compliance[at] * pressure[at] : complementarity(pressure[at], gap[at], c, scene_.pressure_floor());
+      residual[at] = closed ? law / c + compliance[at] * pressure[at] : law;
       double& greatest = closed ? out.gap_residual : out.pressure_residual;
       greatest = std::max(greatest, std::abs(residual[at]));
       if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
@@ -86,19 +86,11 @@ double StepProblem::complementarity_constant(const ContactPair& pair, std::size_
   return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
 }
 
-// Normal stiffness k_I of each secondary node in the reference configuration.
-void StepProblem::find_normal_stiffness() {
+// Normal stiffness k_I of each secondary node in the reference configuration X; no support has been set yet.
+void StepProblem::find_normal_stiffness(const Vector& X) {
   normal_stiffness_.assign(scene_.n_multipliers, 0.0);
-  Vector X(dofs_.owned_map());
   RCP<Matrix> K;
-  double* q = data(X);
-  for (int n = 0; n < dofs_.n_nodes(); ++n)
-    if (dofs_.owned(n))
-      for (int i = 0; i < 3; ++i) q[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
-  const auto saved = std::move(prescribed_);
-  prescribed_.clear();
   linearise(X, K);
-  prescribed_ = saved;
   const auto local = K->getLocalMatrixHost();
   const auto overlap_x = to_overlap(X);
   for (const auto& pair : pairs_) {
@@ -128,7 +120,7 @@ State StepProblem::initial_state() {
       for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
   if (pairs_.empty()) return state;
 
-  find_normal_stiffness();
+  find_normal_stiffness(*state.x);
   const Evaluation at_rest = evaluate(*state.x);
   const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
   std::vector<int> deep(scene_.n_multipliers, 0);

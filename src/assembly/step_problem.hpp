@@ -103,7 +103,7 @@ class StepProblem {
     Vector gap, covered, whole;
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
-  void find_normal_stiffness();
+  void find_normal_stiffness(const Vector& X);
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 
   const Scene& scene_;

@@ -145,6 +145,7 @@ void append(CombinedMesh& combined, const std::string& name, const Mesh& own) {
 Mesh make_mesh(const MeshOptions& options, const std::filesystem::path& folder) {
   Mesh mesh = make_unplaced(options, folder);
   place(mesh, options);
+  check_mesh(mesh);  // so far from the origin that coordinates lose their digits, elements have no volume left
   return mesh;
 }
 

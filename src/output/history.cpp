@@ -2,9 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
 
+#include "assembly/vectors.hpp"
 #include "deck/quantities.hpp"
 #include "output/on_root.hpp"
 
@@ -13,17 +13,11 @@
 namespace mortise {
 namespace {
 
-double total(const Comm& comm, double local) {
-  double sum = 0;
-  Teuchos::reduceAll(comm, Teuchos::REDUCE_SUM, 1, &local, &sum);
-  return sum;
-}
-
 double strain_energy(StepProblem& problem, const State& state) {
   const auto q = problem.to_overlap(*state.x);
   double energy = 0;
   for (const auto& body : problem.bodies()) energy += body->strain_energy(q->getData().getRawPtr());
-  return total(*problem.dofs().comm(), energy);
+  return all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_SUM, energy);
 }
 
 // Increment of the positions; pressures have none.
@@ -156,9 +150,7 @@ void History::observe(StepProblem& problem, const State& before, const State& no
   row.insert(row.end(), {counts.seconds_search, counts.seconds_contact, counts.seconds_elements, seconds_solve, seconds_output,
                          static_cast<double>(counts.graphs)});
   for (const auto& pair : problem.pairs()) {
-    double closure = pair->closure().first, greatest = 0;
-    Teuchos::reduceAll(*problem.dofs().comm(), Teuchos::REDUCE_MAX, 1, &closure, &greatest);
-    row.push_back(greatest);
+    row.push_back(all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_MAX, pair->closure().first));
   }
   rows_.push_back(row);
   on_root(*problem.dofs().comm(), [&] {

@@ -35,13 +35,13 @@ class LinearisedStep {
   void set_closed(const std::vector<char>& closed) { closed_ = closed; }
 
   LinearReport factor() {
-    Matrix A(tangent_, Teuchos::Copy);
+    const auto A = Teuchos::rcp(new Matrix(tangent_, Teuchos::Copy));
     auto identity_rows = problem_.identity_rows();
-    const auto local = A.getLocalMatrixHost();
+    const auto local = A->getLocalMatrixHost();
     for (const LawRow& row : rows_) {
       if (closed_[row.multiplier]) continue;
       identity_rows[row.local] = 1;
-      const int diagonal = A.getColMap()->getLocalElement(A.getRowMap()->getGlobalElement(row.local));
+      const int diagonal = A->getColMap()->getLocalElement(A->getRowMap()->getGlobalElement(row.local));
       for (auto e = local.graph.row_map(row.local); e < local.graph.row_map(row.local + 1); ++e)
         local.values(e) = local.graph.entries(e) == diagonal ? 1.0 : 0.0;
     }

@@ -38,9 +38,9 @@ LinearSolver::LinearSolver(const Scene& scene, const DofSpace& dofs, const Solve
   accepted_residual_ = is_direct ? 1e-8 : 10 * options.linear_tolerance;
 }
 
-LinearReport LinearSolver::factor(const Matrix& A, const std::vector<char>& identity_rows, long graph_number) {
-  original_ = Teuchos::rcp(new Matrix(A, Teuchos::Copy));
-  reduced_ = Teuchos::rcp(new Matrix(A, Teuchos::Copy));
+LinearReport LinearSolver::factor(const RCP<const Matrix>& A, const std::vector<char>& identity_rows, long graph_number) {
+  original_ = A;
+  reduced_ = Teuchos::rcp(new Matrix(*A, Teuchos::Copy));
   identity_rows_ = identity_rows;
   zero_known_columns(*reduced_, identity_rows);
   if (auto* direct = std::get_if<DirectSolver>(&solver_)) return direct->factor(*reduced_, graph_number);

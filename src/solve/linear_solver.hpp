@@ -15,8 +15,8 @@ class LinearSolver {
  public:
   LinearSolver(const Scene& scene, const DofSpace& dofs, const SolverOptions& options);
 
-  /// Takes a matrix for the solves that follow: identity rows are taken out, the direct solver factors. A is copied.
-  LinearReport factor(const Matrix& A, const std::vector<char>& identity_rows, long graph_number);
+  /// Takes a matrix for the solves that follow: identity rows are taken out of a copy, which the direct solver factors.
+  LinearReport factor(const RCP<const Matrix>& A, const std::vector<char>& identity_rows, long graph_number);
 
   /// Solves A x = b with the last matrix, and checks the true residual.
   LinearReport solve(const Vector& b, Vector& x);
