@@ -102,7 +102,7 @@ void describe(Fields& f, ContactOptions& o) {
   f.required(
       "secondary", o.secondary, anything, "",
       "mesh name / side set that carries the multipliers (the thesis' slave or non-mortar side); best the finer one, and one "
-      "that the other side covers: at partly covered nodes the contact law yields a little");
+      "that the other side covers: at partly covered nodes the contact law yields, which costs force");
   f.required("primary", o.primary, anything, "", "mesh name / side set on the other side (master, mortar)");
   f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
            "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; "
