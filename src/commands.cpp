@@ -228,8 +228,8 @@ ExitCode mesh_command(const fs::path& recipe, const fs::path& output, const RCP<
   return ExitCode::done;
 }
 
-ExitCode describe_command(const std::string& list, const RCP<const Comm>& comm) {
-  if (comm->getRank() == 0) print_reference(std::cout, list);
+ExitCode describe_command(const std::string& list, bool as_schema, const RCP<const Comm>& comm) {
+  if (comm->getRank() == 0) as_schema ? print_schema(std::cout) : print_reference(std::cout, list);
   return ExitCode::done;
 }
 

@@ -26,7 +26,7 @@ ExitCode check_command(const std::filesystem::path& file, const RCP<const Comm>&
 /// `mortise mesh`: writes the mesh of a recipe.
 ExitCode mesh_command(const std::filesystem::path& recipe, const std::filesystem::path& output, const RCP<const Comm>& comm);
 
-/// `mortise describe`: prints the deck reference, or one list of it.
-ExitCode describe_command(const std::string& list, const RCP<const Comm>& comm);
+/// `mortise describe`: prints the deck reference, or one list of it, or all of it as a schema.
+ExitCode describe_command(const std::string& list, bool as_schema, const RCP<const Comm>& comm);
 
 }  // namespace mortise

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
   RunOptions run;
   std::filesystem::path output, file, recipe, mesh_file;
   std::string list;
+  bool as_schema = false;
   auto* run_app = app.add_subcommand("run", "march the scene of a deck");
   run_app->add_option("deck", run.deck, "the deck (XML)")->required();
   run_app->add_option("-o,--output", output, "folder for the results (default: the deck's name)");
@@ -54,7 +55,8 @@ int main(int argc, char** argv) {
   mesh_app->add_option("recipe", recipe, "the recipe (XML)")->required();
   mesh_app->add_option("-o,--output", mesh_file, "Exodus file to write")->required();
   auto* describe_app = app.add_subcommand("describe", "print the deck reference");
-  describe_app->add_option("list", list, "one list of it, e.g. contact");
+  auto* list_option = describe_app->add_option("list", list, "one list of it, e.g. contact");
+  describe_app->add_flag("--schema", as_schema, "as RELAX NG schema of whole decks, for editors")->excludes(list_option);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -68,7 +70,7 @@ int main(int argc, char** argv) {
     if (*run_app) code = run_command(run, comm);
     if (*check_app) code = check_command(file, comm);
     if (*mesh_app) code = mesh_command(recipe, mesh_file, comm);
-    if (*describe_app) code = describe_command(list, comm);
+    if (*describe_app) code = describe_command(list, as_schema, comm);
     return finish(*comm, static_cast<int>(code), "");
   } catch (const UserError& error) {
     return finish(*comm, static_cast<int>(error.code()), error.what());

@@ -45,4 +45,8 @@ MeshOptions read_recipe(const std::filesystem::path& file);
 /// @throws UserError (exit code 1) for an unknown list, with the nearest known name
 void print_reference(std::ostream& out, const std::string& list = "");
 
+/// Prints the RELAX NG schema (XML syntax) of decks and recipes, made from the same descriptions: names, types, words to choose
+/// from. Bounds, and what is required, repeated or tied together, only the reader checks.
+void print_schema(std::ostream& out);
+
 }  // namespace mortise
