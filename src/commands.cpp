@@ -44,7 +44,7 @@ struct Setup {
         partition(make_partition(scene.mesh.mesh, comm->getSize(), contact_elements(scene))),
         problem(scene, partition, comm),
         initial(problem.initial_state()) {
-    problem.begin_step(initial, 0);
+    if (const std::string fault = problem.begin_step(initial, 0); !fault.empty()) throw DeckError(fault);
     refuse_free_bodies();
   }
 

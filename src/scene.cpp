@@ -149,34 +149,33 @@ class SceneMaker {
     return compiled;
   }
 
-  std::array<std::string, 3> places(const std::string& list, const std::string& name,
+  std::array<std::string, 3> places(const std::string& code, const std::string& list, const std::string& name,
                                     const std::array<std::optional<std::string>, 3>& texts) const {
     std::array<std::string, 3> where;
     for (int i = 0; i < 3; ++i)
-      if (texts[i]) where[i] = deck_.error("D23", {list, name, std::string(1, "xyz"[i])}, "");
+      if (texts[i]) where[i] = deck_.error(code, {list, name, std::string(1, "xyz"[i])}, "");
     return where;
   }
 
-  // Two supports on one component must agree, at the start, at the stops and at the end.
-  void check_agreement(int node, int axis, int first, int second) {
+  // Judged here at the start, at the stops and at the end, so that most contradictions are told before the run; later at each
+  // step.
+  bool agree(const DoublyPrescribed& twice) {
     std::vector<double> times{0.0, options_.time.end};
     times.insert(times.end(), options_.time.stops.begin(), options_.time.stops.end());
-    const Point& X = scene_.mesh.mesh.coordinates[node];
     for (double t : times) {
-      const double a = (*scene_.supports[first].displacement[axis])(t, X),
-                   b = (*scene_.supports[second].displacement[axis])(t, X);
-      if (std::abs(a - b) <= 1e-12 * (1 + std::abs(a))) continue;
-      error("D21", {"supports", scene_.supports[second].name, std::string(1, "xyz"[axis])},
-            fmt::format("{}, component {}, is moved by {} here and by {} in \"{}\" at t = {} - one value is needed",
-                        describe_node(scene_.mesh, node), "xyz"[axis], b, a, scene_.supports[first].name, t));
-      return;
+      const std::string message = contradiction(scene_, twice, t);
+      if (message.empty()) continue;
+      errors_.push_back(message);
+      return false;
     }
+    return true;
   }
 
   void make_supports() {
     std::map<std::pair<int, int>, int> taken;
     for (const auto& [name, o] : options_.supports) {
-      Support support{name, formulas(o.displacement), places("supports", name, o.displacement)};
+      Support support{name, formulas(o.displacement), places("D23", "supports", name, o.displacement),
+                      places("D21", "supports", name, o.displacement)};
       const int index = static_cast<int>(scene_.supports.size());
       scene_.supports.push_back(support);
       bool told = false;
@@ -184,10 +183,10 @@ class SceneMaker {
         for (int i = 0; i < 3; ++i) {
           if (!support.displacement[i]) continue;
           const auto [at, is_new] = taken.insert({{node, i}, index});
-          if (is_new || told) continue;
-          const auto before = errors_.size();
-          check_agreement(node, i, at->second, index);
-          told = errors_.size() > before;  // the first node is enough
+          if (is_new) continue;
+          const DoublyPrescribed twice{node, i, at->second, index};
+          scene_.doubly_prescribed.push_back(twice);
+          if (!told) told = !agree(twice);  // the first node is enough
         }
     }
     for (const auto& [dof, support] : taken) scene_.prescribed.push_back({dof.first, dof.second, support});
@@ -195,7 +194,7 @@ class SceneMaker {
 
   void make_tractions() {
     for (const auto& [name, o] : options_.loads) {
-      Traction traction{name, {}, formulas(o.traction), places("loads", name, o.traction)};
+      Traction traction{name, {}, formulas(o.traction), places("D23", "loads", name, o.traction)};
       std::map<int, double> weights;
       if (const auto* sides = sides_of(o.set, {"loads", name, "set"}))
         for (const Side& side : sides->sides) {
@@ -333,6 +332,16 @@ class SceneMaker {
 };
 
 }  // namespace
+
+std::string contradiction(const Scene& scene, const DoublyPrescribed& twice, double t) {
+  const Support &first = scene.supports[twice.first], &second = scene.supports[twice.second];
+  const Point& X = scene.mesh.mesh.coordinates[twice.node];
+  const double a = (*first.displacement[twice.axis])(t, X), b = (*second.displacement[twice.axis])(t, X);
+  if (!std::isfinite(a) || !std::isfinite(b) || std::abs(a - b) <= 1e-12 * (1 + std::abs(a))) return "";
+  return fmt::format("{}{}, component {}, is moved by {} here and by {} in \"{}\" at t = {} - one value is needed",
+                     second.where_contradicting[twice.axis], describe_node(scene.mesh, twice.node), "xyz"[twice.axis], b, a,
+                     first.name, t);
+}
 
 Scene make_scene(const Deck& deck, std::vector<std::string>& warnings) { return SceneMaker(deck, warnings).make(); }
 

@@ -36,7 +36,15 @@ struct PrescribedDof {
 struct Support {
   std::string name;
   std::array<std::optional<Formula>, 3> displacement;
-  std::array<std::string, 3> where;  ///< start of the message about a formula: its place in the deck
+  std::array<std::string, 3> where;                ///< start of the message about a formula: its place in the deck
+  std::array<std::string, 3> where_contradicting;  ///< start of the message about another support that prescribes another value
+};
+
+/// A component that two supports prescribe: at every time both must give the same value.
+struct DoublyPrescribed {
+  int node;
+  int axis;
+  int first, second;  ///< indices into Scene::supports
 };
 
 /// Dead traction: nodal weights [m^2] of a side set and the traction [Pa] by formula.
@@ -76,6 +84,7 @@ struct Scene {
   std::vector<Body> bodies;
   std::vector<Support> supports;
   std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis; each once
+  std::vector<DoublyPrescribed> doubly_prescribed;
   std::vector<Traction> tractions;
   std::vector<ContactPair> pairs;
   int n_multipliers = 0;
@@ -90,6 +99,10 @@ struct Scene {
   /// Pressure that is round-off [Pa].
   double pressure_floor() const { return force_floor / (size * size); }
 };
+
+/// The message about two supports that give different values at time `t`, or an empty text. Values that are not finite are no
+/// contradiction: they have a message of their own.
+std::string contradiction(const Scene& scene, const DoublyPrescribed& twice, double t);
 
 /// Opens the meshes and resolves every name of the deck.
 /// @param warnings lines for the log, e.g. about a secondary side that is coarser than the primary one

@@ -3,8 +3,11 @@
 
 export LC_ALL=C.UTF-8  # sort, awk and the clock below agree on what a number is
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
-build="$root/build/release"
 log_folder="$root/build/log"
+
+# use_preset NAME: what is configured and built from here on (CMakePresets.json), and where.
+use_preset() { preset=$1 build="$root/build/$1"; }
+use_preset release
 
 say() { printf '%s\n' "$*"; }
 fail() { printf '%s: %s\n' "$(basename -- "$0")" "$*" >&2; exit 1; }
@@ -74,7 +77,7 @@ build_jobs() {
 # build_targets [TARGET...]: configures where that was never done (later Ninja does it by itself), then builds.
 # Says nothing when nothing is to do.
 build_targets() {
-  local log="$log_folder/build.log" begin=$EPOCHREALTIME status=0
+  local log="$log_folder/build_$preset.log" begin=$EPOCHREALTIME status=0
   # A checkout that was moved or copied brings along a build folder that points at its old place.
   if [ -f "$build/CMakeCache.txt" ] && ! grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
     rm -rf -- "$build"
@@ -82,13 +85,13 @@ build_targets() {
   if [ ! -f "$build/build.ninja" ]; then
     local launcher=()
     if command -v ccache >/dev/null; then launcher=(-DCMAKE_C_COMPILER_LAUNCHER=ccache -DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-    quietly configure cmake -S "$root" --preset release "${launcher[@]}"
-    say "build ... (a first one takes minutes; follow it in $log)"
+    quietly "configure $preset" cmake -S "$root" --preset "$preset" "${launcher[@]}"
+    say "build $preset ... (a first one takes minutes; follow it in $log)"
   fi
   mkdir -p -- "$log_folder"
   ninja -C "$build" -j "$(build_jobs)" "$@" >"$log" 2>&1 </dev/null || status=$?
-  [ "$status" -eq 0 ] || show_failure build "$log" "$status"
-  grep -q '^ninja: no work to do' "$log" || say "build ... $(seconds_since "$begin") s"
+  [ "$status" -eq 0 ] || show_failure "build $preset" "$log" "$status"
+  grep -q '^ninja: no work to do' "$log" || say "build $preset ... $(seconds_since "$begin") s"
 }
 
 # What Open MPI needs to know about this machine before it starts.

@@ -22,11 +22,11 @@ class Stopwatch {
   double start_;
 };
 
-double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where) {
+/// @param fault the message about the first value that is not finite; left alone if it holds one already
+double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where, std::string& fault) {
   const double v = formula(t, X);
-  if (!std::isfinite(v))
-    throw DeckError(
-        fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]));
+  if (!std::isfinite(v) && fault.empty())
+    fault = fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]);
   return v;
 }
 
@@ -54,7 +54,8 @@ std::vector<double> StepProblem::gather(const Vector& owned) const {
   return all;
 }
 
-void StepProblem::begin_step(const State& from, double t) {
+std::string StepProblem::begin_step(const State& from, double t) {
+  std::string fault;
   time_ = t;
   start_x_ = to_overlap(*from.x);
   const auto& X = scene_.mesh.mesh.coordinates;
@@ -62,7 +63,7 @@ void StepProblem::begin_step(const State& from, double t) {
   for (const auto& p : scene_.prescribed) {
     // Evaluated on every rank, so that a bad value ends all of them alike.
     const auto& support = scene_.supports[p.support];
-    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], support.where[p.axis]);
+    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], support.where[p.axis], fault);
     if (dofs_.owned(p.node)) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
   }
   external_->putScalar(0.0);
@@ -71,9 +72,12 @@ void StepProblem::begin_step(const State& from, double t) {
     for (const auto& [node, weight] : traction.weights)
       for (int i = 0; i < 3; ++i) {
         if (!traction.traction[i]) continue;
-        const double t_i = evaluate_at(*traction.traction[i], t, X[node], traction.where[i]);
+        const double t_i = evaluate_at(*traction.traction[i], t, X[node], traction.where[i], fault);
         if (dofs_.owned(node)) f[dofs_.local(node) + i] += weight * t_i;
       }
+  for (const auto& twice : scene_.doubly_prescribed)
+    if (fault.empty()) fault = contradiction(scene_, twice, t);
+  return fault;
 }
 
 void StepProblem::build_graph() {

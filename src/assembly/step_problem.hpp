@@ -58,8 +58,9 @@ class StepProblem {
 
   /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, and surfaces are
   /// searched as far as they move from that state, so that nothing passes through unseen.
-  /// @throws DeckError when a formula gives no finite number
-  void begin_step(const State& from, double t);
+  /// @return an empty text; or the message of the formula that gives no finite number, or of two supports that contradict each
+  ///         other: there is no such step then. The same on all ranks.
+  std::string begin_step(const State& from, double t);
   double time() const { return time_; }
 
   Evaluation evaluate(const Vector& x);

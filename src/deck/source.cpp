@@ -56,23 +56,21 @@ const DeckList* DeckList::list(const std::string& entry) const {
 }
 
 DeckSource DeckSource::read(const std::filesystem::path& file) {
+  const auto unreadable = [&](const std::string& why) { return FileError(file.string() + ": error[I01] " + why); };
   std::error_code status;
-  if (!std::filesystem::exists(file, status)) {
-    throw FileError(file.string() + ": error[I01] " + (status ? status.message() : std::string("no such file")));
-  }
+  if (!std::filesystem::exists(file, status)) throw unreadable(status ? status.message() : "no such file");
   if (!std::filesystem::is_regular_file(file, status)) {
-    throw FileError(file.string() +
-                    (std::filesystem::is_directory(file, status) ? ": is a directory, not a file" : ": not a file"));
+    throw unreadable(std::filesystem::is_directory(file, status) ? "is a directory, not a file" : "not a file");
   }
   const auto size = std::filesystem::file_size(file, status);
   if (!status && size > largest_file) {
     throw DeckError(file.string() + ":1:1: error[D04] the file has " + std::to_string(size) + " bytes - must be at most 16 MB");
   }
   std::ifstream in(file, std::ios::binary);
-  if (!in) throw FileError(file.string() + ": cannot be opened: " + std::strerror(errno));
+  if (!in) throw unreadable(std::string("cannot be opened: ") + std::strerror(errno));
   std::ostringstream text;
   if (size > 0) text << in.rdbuf();
-  if (in.bad() || text.bad()) throw FileError(file.string() + ": cannot be read: " + std::strerror(errno));
+  if (in.bad() || text.bad()) throw unreadable(std::string("cannot be read: ") + std::strerror(errno));
   return DeckSource(file, text.str());
 }
 

@@ -201,7 +201,9 @@ Newton::Newton(StepProblem& problem, const SolverOptions& options)
 
 StepResult Newton::solve(const State& from, double t) {
   StepResult result;
-  problem_.begin_step(from, t);
+  result.cause = problem_.begin_step(from, t);
+  result.is_deck_fault = !result.cause.empty();
+  if (result.is_deck_fault) return result;
   auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
   const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
   const auto group = Teuchos::rcp(new NewtonGroup(shared, x));

@@ -28,6 +28,7 @@ struct StepResult {
   int iterations = 0;
   std::vector<NewtonLine> log;
   std::string cause;           ///< why not, in words
+  bool is_deck_fault = false;  ///< a formula gives no value, or two supports differ: `cause` is the message, with its place
   bool is_free = false;        ///< a body can move as a rigid one: no smaller step will help
   std::vector<int> unsettled;  ///< multipliers whose branch changed in the last iteration
 };

@@ -82,6 +82,12 @@ MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, c
     const double t = size.next_time(state.time), dt = t - state.time;
     StepResult result = newton.solve(state, t);
     const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", summary.steps + 1, t, dt);
+    if (result.is_deck_fault) {
+      log(fmt::format("{}: {}\n", head, result.cause));
+      summary.code = ExitCode::deck;
+      summary.cause = result.cause;
+      break;
+    }
     if (!result.converged) {
       ++cuts;
       ++summary.cuts;

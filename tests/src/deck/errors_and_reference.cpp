@@ -151,16 +151,37 @@ TEST(Unused, MeshAndMaterialAreRefused) {
   EXPECT_EQ(count_lines(messages), 2u) << messages;
 }
 
-TEST(DeckFile, ThatIsMissingOrAFolderIsAFileError) {
-  for (const char* path : {"/nowhere/deck.xml", "/tmp"}) {
-    try {
-      Deck::read(path);
-      FAIL();
-    } catch (const FileError& error) {
-      EXPECT_EQ(error.code(), ExitCode::input_output);
-      EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
-    }
+/// The message of a file that cannot be read; empty if it can.
+std::string file_error_of(const std::filesystem::path& file) {
+  try {
+    Deck::read(file);
+  } catch (const FileError& error) {
+    EXPECT_EQ(error.code(), ExitCode::input_output);
+    return error.what();
+  } catch (const DeckError& error) {
+    ADD_FAILURE() << error.what();
   }
+  return "";
+}
+
+TEST(DeckFile, ThatIsMissingOrAFolderOrALoopIsAFileError) {
+  EXPECT_EQ(file_error_of("/nowhere/deck.xml"), "/nowhere/deck.xml: error[I01] no such file");
+  EXPECT_EQ(file_error_of("/tmp"), "/tmp: error[I01] is a directory, not a file");
+  EXPECT_EQ(file_error_of("/dev/null"), "/dev/null: error[I01] not a file");
+  const std::filesystem::path loop = write_file("").parent_path() / "loop.xml";
+  std::filesystem::create_symlink("loop.xml", loop);
+  EXPECT_EQ(file_error_of(loop), loop.string() + ": error[I01] Too many levels of symbolic links");
+}
+
+TEST(DeckFile, WithoutPermissionToReadIsAFileError) {
+  const std::filesystem::path file = write_file(block_deck, "closed.xml");
+  std::filesystem::permissions(file, std::filesystem::perms::none);
+  constexpr uid_t nobody = 65534;
+  const uid_t before = geteuid();  // root may read everything
+  ASSERT_TRUE(before != 0 || seteuid(nobody) == 0);
+  const std::string message = file_error_of(file);
+  ASSERT_TRUE(before != 0 || seteuid(before) == 0);
+  EXPECT_EQ(message, file.string() + ": error[I01] cannot be opened: Permission denied");
 }
 
 TEST(DeckFile, ThatIsEmptyIsADeckError) {
@@ -180,6 +201,25 @@ TEST(DeckFile, ThatIsVeryDeepOrVeryLargeIsRefused) {
   for (int i = 0; i < 100000; ++i) deep += "</ParameterList>";
   EXPECT_NE(errors_of(deep).find("error[D04] lists are nested deeper than 32"), std::string::npos);
   EXPECT_NE(errors_of(std::string((16u << 20) + 1, ' ')).find("error[D04]"), std::string::npos);
+  const std::string unclosed = errors_of(deep.substr(0, deep.size() / 2));
+  EXPECT_NE(unclosed.find("error[D01] XML: "), std::string::npos) << unclosed;
+}
+
+TEST(DeckFile, WithAnAttributeOf100MegabytesIsRefusedUnread) {
+  const std::filesystem::path file = write_file("<ParameterList name=\"", "large.xml");
+  std::filesystem::resize_file(file, 100u << 20);  // a hole on the disk
+  try {
+    Deck::read(file);
+    FAIL();
+  } catch (const DeckError& error) {
+    EXPECT_EQ(std::string(error.what()), file.string() + ":1:1: error[D04] the file has 104857600 bytes - must be at most 16 MB");
+  }
+}
+
+TEST(DeckFile, WithAnAttributeOf15MegabytesGetsAShortMessage) {
+  const std::string message = errors_of(with(block_deck, "neo-hookean", std::string(15u << 20, 'n')));
+  EXPECT_EQ(message.find("deck.xml:9:7: error[D10]"), 0u) << message.substr(0, 200);
+  EXPECT_LT(message.size(), 300u);
 }
 
 std::string reference(const std::string& list = "") {
