@@ -75,8 +75,11 @@ std::string StepProblem::begin_step(const State& from, double t) {
         const double t_i = evaluate_at(*traction.traction[i], t, X[node], traction.where[i], fault);
         if (dofs_.owned(node)) f[dofs_.local(node) + i] += weight * t_i;
       }
-  for (const auto& twice : scene_.doubly_prescribed)
+  for (const auto& twice : scene_.doubly_prescribed) {
+    const auto& second = scene_.supports[twice.second];
+    evaluate_at(*second.displacement[twice.axis], t, X[twice.node], second.where[twice.axis], fault);
     if (fault.empty()) fault = contradiction(scene_, twice, t);
+  }
   return fault;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <pugixml.hpp>
+#include <string_view>
 
 #include "deck/numbers.hpp"
 #include "errors.hpp"
@@ -160,14 +161,18 @@ class TreeBuilder {
 
 }  // namespace
 
-LineTable::LineTable(const std::string& text) : text_(text), line_starts_{0} {
+/// The byte order mark of UTF-8: no editor counts it as a column.
+constexpr std::string_view mark = "\xEF\xBB\xBF";
+
+LineTable::LineTable(const std::string& text)
+    : text_(text), line_starts_{text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0} {
   for (std::size_t i = 0; i < text.size(); ++i) {
     if (text[i] == '\n') line_starts_.push_back(i + 1);
   }
 }
 
 Place LineTable::place(std::size_t offset) const {
-  offset = std::min(offset, text_.size());
+  offset = std::clamp(offset, line_starts_.front(), text_.size());
   const auto line = std::upper_bound(line_starts_.begin(), line_starts_.end(), offset) - 1;
   const auto is_character_start = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) != 0x80u; };
   const auto start = text_.begin() + static_cast<std::ptrdiff_t>(*line);
