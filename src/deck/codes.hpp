@@ -32,9 +32,9 @@ inline constexpr std::array<DeckCode, 23> deck_codes{{
     {"D18", "a list is declared but empty"},
     {"D19", "two statements contradict each other"},
     {"D20", "a block, side set, node set or node is not in the mesh (found when the meshes are read)"},
-    {"D21", "prescribed motions contradict each other (found when the meshes are read)"},
+    {"D21", "prescribed motions contradict each other (found when the meshes are read, or at the first step where they do)"},
     {"D22", "the bodies are not held: a rigid mode is free in statics (found when the meshes are read)"},
-    {"D23", "a formula gives no finite value (found when it is first evaluated)"},
+    {"D23", "a formula gives no finite value (found at the first step where it does not; the steps before are kept)"},
 }};
 
 }  // namespace mortise

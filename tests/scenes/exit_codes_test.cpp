@@ -34,6 +34,13 @@ TEST_F(Mistake, CommandLine) {
   expect(1, "walk deck.xml", {});
   expect(1, "run deck.xml --fast", {"--fast"});
   expect(1, "describe contat", {"did you mean \"contact\""});
+  expect(1, "describe contact --schema", {"list excludes --schema"});
+}
+
+TEST_F(Mistake, IsAvoidedWithTheSchemaForEditors) {
+  const auto run = run_mortise(folder, "describe --schema");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.out.rfind("<?xml version=\"1.0\"?>\n<grammar", 0), 0u) << run.out.substr(0, 200);
 }
 
 TEST_F(Mistake, MissingDeck) { expect(5, "run nothing.xml", {"nothing.xml", "no such file"}); }
