@@ -70,10 +70,10 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
   const int n = 6 * static_cast<int>(scene.bodies.size());
   std::vector<Frame> frames;
   for (const auto& body : scene.bodies) frames.push_back(frame_of(scene, body));
-  std::vector<double> RtR(static_cast<std::size_t>(n) * n, 0.0), row(n);
+  std::vector<double> normal_matrix(static_cast<std::size_t>(n) * n, 0.0), row(n);
   const auto add_row = [&] {
     for (int i = 0; i < n; ++i)
-      for (int j = 0; j < n; ++j) RtR[static_cast<std::size_t>(i) * n + j] += row[i] * row[j];
+      for (int j = 0; j < n; ++j) normal_matrix[static_cast<std::size_t>(i) * n + j] += row[i] * row[j];
     std::fill(row.begin(), row.end(), 0.0);
   };
   const auto add_motion = [&](int body, const Point& X, const Vec3<double>& d, double sign) {
@@ -114,12 +114,12 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
 
   std::vector<double> eigenvalues(n), work(64 * static_cast<std::size_t>(n));
   int info = 0;
-  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, RtR.data(), n, eigenvalues.data(), work.data(), static_cast<int>(work.size()),
-                                      &info);
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', n, normal_matrix.data(), n, eigenvalues.data(), work.data(),
+                                      static_cast<int>(work.size()), &info);
   std::vector<std::vector<double>> basis;
   for (int k = 0; k < n; ++k)
     if (eigenvalues[k] <= 1e-10 * std::max(1.0, eigenvalues[n - 1]))
-      basis.emplace_back(&RtR[static_cast<std::size_t>(k) * n], &RtR[static_cast<std::size_t>(k) * n] + n);
+      basis.emplace_back(&normal_matrix[static_cast<std::size_t>(k) * n], &normal_matrix[static_cast<std::size_t>(k) * n] + n);
   if (basis.empty()) return {};
   reduce(basis);
 

@@ -1,4 +1,4 @@
-// What a description is written in: the vocabulary shared by the reader of decks and the printer of their reference.
+// What a description is written in: the vocabulary shared by the reader of decks and the printers of their reference and schema.
 //
 // A description is a template  describe(Fields& f, Options& o)  that calls, in the order of the reference,
 //   f.required(name, target, bound, unit, help)      a value only the user knows
