@@ -20,6 +20,15 @@ struct RunOptions {
 /// `mortise run`: marches the scene and writes the folder of the run.
 ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm);
 
+struct RestartOptions {
+  std::filesystem::path folder;               ///< of a run
+  std::optional<std::filesystem::path> deck;  ///< default: where it was when the run began
+  bool quiet = false;
+};
+
+/// `mortise restart`: goes on from the last checkpoint in the folder of a run, as if it had not stopped.
+ExitCode restart_command(const RestartOptions& options, const RCP<const Comm>& comm);
+
 /// `mortise check`: reads a deck (and its meshes) or an Exodus file alone, checks everything, prints the manifest, runs nothing.
 ExitCode check_command(const std::filesystem::path& file, const RCP<const Comm>& comm);
 

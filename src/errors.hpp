@@ -18,7 +18,9 @@ enum class ExitCode : int {
   expectation_missed = 7,
   tangent_disagrees = 8,
   audit_rejects = 9,
-  internal = 70
+  internal = 70,
+  interrupted = 130,  ///< SIGINT, after finishing the step
+  terminated = 143    ///< SIGTERM, likewise
 };
 
 /// What the user must mend. `what()` holds complete lines, one per error, ready to print: at most 20, then the count of the rest.

@@ -1,5 +1,7 @@
 // The command line: starts MPI, hands over to a command, prints errors once, leaves with its exit code.
 #include <dlfcn.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <Teuchos_CommHelpers.hpp>
@@ -21,6 +23,12 @@ void single_blas_thread() {
   if (auto* set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
 }
 
+// A stream that is closed would lend its number to the next file that is opened, and messages would end up in there.
+void open_standard_streams() {
+  for (int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) < 0) open("/dev/null", stream == STDIN_FILENO ? O_RDONLY : O_WRONLY);  // takes the lowest number
+}
+
 // Every rank has found the same errors; should one alone have failed, the others must not wait for it.
 int finish(const Comm& comm, int code, const std::string& message) {
   int greatest = 0;
@@ -32,6 +40,7 @@ int finish(const Comm& comm, int code, const std::string& message) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_standard_streams();
   single_blas_thread();
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows beyond the limit is a failed write, told as such
   Tpetra::ScopeGuard mpi(&argc, &argv);
@@ -49,6 +58,12 @@ int main(int argc, char** argv) {
   run_app->add_option("-o,--output", output, "folder for the results (default: the deck's name)");
   run_app->add_flag("--overwrite", run.overwrite, "replace results in that folder");
   run_app->add_flag("--quiet", run.quiet, "no line per step");
+  RestartOptions restart;
+  std::filesystem::path moved_deck;
+  auto* restart_app = app.add_subcommand("restart", "go on with a run from its last checkpoint");
+  restart_app->add_option("folder", restart.folder, "folder of the run")->required();
+  restart_app->add_option("--deck", moved_deck, "the deck of the run, if it is not where it was");
+  restart_app->add_flag("--quiet", restart.quiet, "no line per step");
   auto* check_app = app.add_subcommand("check", "check a deck with its meshes, or an Exodus file");
   check_app->add_option("file", file, "deck (.xml) or mesh")->required();
   auto* mesh_app = app.add_subcommand("mesh", "write the mesh of a recipe");
@@ -64,10 +79,12 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::command_line);
   }
   if (!output.empty()) run.output = output;
+  if (!moved_deck.empty()) restart.deck = moved_deck;
 
   try {
     ExitCode code = ExitCode::done;
     if (*run_app) code = run_command(run, comm);
+    if (*restart_app) code = restart_command(restart, comm);
     if (*check_app) code = check_command(file, comm);
     if (*mesh_app) code = mesh_command(recipe, mesh_file, comm);
     if (*describe_app) code = describe_command(list, as_schema, comm);

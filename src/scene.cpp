@@ -46,6 +46,7 @@ class SceneMaker {
     scene_.time = options_.time;
     scene_.solver = options_.solver;
     scene_.output = options_.output;
+    scene_.checkpoints = options_.checkpoints;
     scene_.expected = options_.expected;
     make_bodies();
     stop_at_errors();  // what follows needs bodies

@@ -92,6 +92,7 @@ struct Scene {
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;
+  CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]
   double size;         ///< smallest body element size [m]

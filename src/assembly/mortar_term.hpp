@@ -51,6 +51,7 @@ class MortarTerm {
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }
+  void resume_counts(const ContactCounts& counts) { counts_ = counts; }
 
   /// Point of the k-th secondary node's pressure.
   int pressure_point(std::size_t k) const { return dofs_.n_nodes() + pair_.first_multiplier + static_cast<int>(k); }

@@ -86,13 +86,24 @@ double StepProblem::complementarity_constant(const ContactPair& pair, std::size_
   return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
 }
 
-// Normal stiffness k_I of each secondary node in the reference configuration X; no support has been set yet.
-void StepProblem::find_normal_stiffness(const Vector& X) {
+// Reference positions, no pressure.
+RCP<Vector> StepProblem::reference_state() const {
+  auto state = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double* x = data(*state);
+  for (int n = 0; n < dofs_.n_nodes(); ++n)
+    if (dofs_.owned(n))
+      for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  return state;
+}
+
+// Normal stiffness k_I of each secondary node in the reference configuration; no support has been set yet.
+void StepProblem::find_normal_stiffness() {
   normal_stiffness_.assign(scene_.n_multipliers, 0.0);
   RCP<Matrix> K;
-  linearise(X, K);
+  const auto X = reference_state();
+  linearise(*X, K);
   const auto local = K->getLocalMatrixHost();
-  const auto overlap_x = to_overlap(X);
+  const auto overlap_x = to_overlap(*X);
   for (const auto& pair : pairs_) {
     const auto normals = pair->normals(data(*overlap_x));
     for (std::size_t k = 0; k < normals.size(); ++k) {
@@ -112,16 +123,11 @@ void StepProblem::find_normal_stiffness(const Vector& X) {
 }
 
 State StepProblem::initial_state() {
-  State state;
-  state.x = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  double* x = data(*state.x);
-  for (int n = 0; n < dofs_.n_nodes(); ++n)
-    if (dofs_.owned(n))
-      for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  State state{0, reference_state(), search_};
   if (pairs_.empty()) return state;
 
-  find_normal_stiffness(*state.x);
   const Evaluation at_rest = evaluate(*state.x);
+  double* x = data(*state.x);
   const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
   std::vector<int> deep(scene_.n_multipliers, 0);
   std::vector<double> depth(scene_.n_multipliers, 0.0);

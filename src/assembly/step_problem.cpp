@@ -38,6 +38,7 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& pair : scene.pairs) pairs_.push_back(std::make_unique<MortarTerm>(pair, partition, dofs_));
   external_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
   identity_rows_.assign(dofs_.n_owned(), 0);
+  if (!pairs_.empty()) find_normal_stiffness();
 }
 
 RCP<Vector> StepProblem::to_overlap(const Vector& owned) const {
@@ -54,10 +55,23 @@ std::vector<double> StepProblem::gather(const Vector& owned) const {
   return all;
 }
 
+RCP<Vector> StepProblem::scatter(const std::vector<double>& all) const {
+  auto owned = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  auto values = owned->getDataNonConst();
+  for (int k = 0; k < dofs_.n_owned(); ++k) values[k] = all[dofs_.owned_map()->getGlobalElement(k)];
+  return owned;
+}
+
+void StepProblem::resume_counts(const WorkCounts& counts, const std::vector<ContactCounts>& of_pairs) {
+  counts_ = counts;
+  for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k]->resume_counts(of_pairs[k]);
+}
+
 std::string StepProblem::begin_step(const State& from, double t) {
   std::string fault;
   time_ = t;
   start_x_ = to_overlap(*from.x);
+  if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
   const auto& X = scene_.mesh.mesh.coordinates;
   prescribed_.clear();
   for (const auto& p : scene_.prescribed) {
@@ -108,7 +122,7 @@ double StepProblem::greatest_motion(const Vector& from, const Vector& to) const 
 
 // Surfaces that did not overlap at the start of the step are apart or inside each other by no more than they have moved since.
 // The lists of candidates hold as long as the reach they were made with covers that, and both surfaces' motion since the search.
-void StepProblem::update_search(const Vector& overlap_x) {
+void StepProblem::update_search(const Vector& x, const Vector& overlap_x) {
   if (pairs_.empty()) {
     if (!matrix_) build_graph();
     return;
@@ -120,14 +134,18 @@ void StepProblem::update_search(const Vector& overlap_x) {
   }
   const bool is_start = start_x_.is_null();
   const double depth = is_start ? 0.0 : 2 * greatest_motion(*start_x_, overlap_x);
-  if (matrix_ && !search_x_.is_null() && depth + 2 * greatest_motion(*search_x_, overlap_x) <= reach_) return;
+  if (matrix_ && !search_x_.is_null() && depth + 2 * greatest_motion(*search_x_, overlap_x) <= search_.reach) return;
+  // At the start nobody knows yet how deep they are inside.
+  search_at({Teuchos::rcp(new Vector(x, Teuchos::Copy)), 2 * skin + depth, is_start ? 5 * size : 0.0});
+}
+
+void StepProblem::search_at(const Search& where) {
   const Stopwatch watch(counts_.seconds_search);
-  reach_ = 2 * skin + depth;
+  search_ = where;
+  search_x_ = to_overlap(*where.x);
   int changed = 0;
   for (auto& pair : pairs_)
-    if (pair->search(data(overlap_x), reach_, is_start ? 5 * size : 0.0))
-      changed = 1;  // nobody knows yet how deep they are inside
-  search_x_ = Teuchos::rcp(new Vector(overlap_x, Teuchos::Copy));
+    if (pair->search(data(*search_x_), where.reach, where.inward)) changed = 1;
   if (all_reduced(*dofs_.comm(), Teuchos::REDUCE_MAX, changed) || !matrix_) build_graph();
 }
 
@@ -145,7 +163,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   if (with_tangent) ++counts_.tangents;
   const auto overlap_x = to_overlap(x);
   if (!std::isfinite(x.norm2())) return out;
-  update_search(*overlap_x);
+  update_search(x, *overlap_x);
   if (with_tangent) matrix_->zero();
 
   Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());

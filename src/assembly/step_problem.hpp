@@ -9,10 +9,19 @@
 
 namespace mortise {
 
-/// A converged state: positions and pressures at a time.
+/// The search whose lists of facet pairs are in force: where the surfaces were, and how far around them it looked.
+struct Search {
+  RCP<const Vector> x;  ///< owned unknowns at the search; null: there was none
+  double reach = 0;     ///< to all sides [m]
+  double inward = 0;    ///< beyond that against the normal [m]
+};
+
+/// A converged state: positions and pressures at a time, and the search behind it. All that the next step depends on: the lists
+/// of facet pairs are part of it because they fix the graph, and with it the round-off of a direct solver.
 struct State {
   double time = 0;
   RCP<Vector> x;  ///< owned unknowns: positions [m], pressures [Pa]
+  Search search;
 };
 
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
@@ -56,8 +65,9 @@ class StepProblem {
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
 
-  /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, and surfaces are
-  /// searched as far as they move from that state, so that nothing passes through unseen.
+  /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, the search is that of
+  /// the state (whatever a rejected attempt or another run left), and from there on surfaces are searched as far as they move, so
+  /// that nothing passes through unseen.
   /// @return an empty text; or the message of the formula that gives no finite number, or of two supports that contradict each
   ///         other: there is no such step then. The same on all ranks.
   std::string begin_step(const State& from, double t);
@@ -77,6 +87,10 @@ class StepProblem {
   long graph_number() const { return counts_.graphs; }
 
   const WorkCounts& counts() const { return counts_; }
+  /// Goes on counting where another run of the same scene stopped.
+  void resume_counts(const WorkCounts& counts, const std::vector<ContactCounts>& of_pairs);
+  /// The search now in force; belongs into the state that a step ends in.
+  const Search& search() const { return search_; }
   const std::vector<std::unique_ptr<BodyTerm>>& bodies() const { return bodies_; }
   const std::vector<std::unique_ptr<MortarTerm>>& pairs() const { return pairs_; }
 
@@ -87,6 +101,9 @@ class StepProblem {
   /// unknowns.
   std::vector<double> gather(const Vector& owned) const;
 
+  /// The owned part of a vector over all unknowns that every rank knows: `gather` undone.
+  RCP<Vector> scatter(const std::vector<double>& all) const;
+
   /// Sum of the contact forces of one pair on its secondary surface [N] (the force acts on the body).
   Vec3<double> force_on_secondary(const Vector& x, std::size_t pair);
 
@@ -95,7 +112,8 @@ class StepProblem {
 
  private:
   Evaluation evaluate(const Vector& x, bool with_tangent);
-  void update_search(const Vector& overlap_x);
+  void update_search(const Vector& x, const Vector& overlap_x);
+  void search_at(const Search& where);
   double greatest_motion(const Vector& from, const Vector& to) const;
   void build_graph();
   /// Factors of the derivatives that make up a pressure's row, on the owned map.
@@ -104,7 +122,8 @@ class StepProblem {
     Vector gap, covered, whole;
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
-  void find_normal_stiffness(const Vector& X);
+  RCP<Vector> reference_state() const;
+  void find_normal_stiffness();
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 
   const Scene& scene_;
@@ -113,9 +132,9 @@ class StepProblem {
   std::vector<std::unique_ptr<MortarTerm>> pairs_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
-  RCP<Vector> start_x_;   // overlap positions at the start of the step
-  RCP<Vector> search_x_;  // overlap positions of the last search
-  double reach_ = 0;      // of the last search [m]
+  RCP<Vector> start_x_;  // overlap positions at the start of the step
+  Search search_;
+  RCP<Vector> search_x_;  // its positions on the overlap
   double time_ = 0;
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> external_;                            // owned

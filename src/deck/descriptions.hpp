@@ -166,6 +166,13 @@ void describe(Fields& f, OutputOptions& o) {
 }
 
 template <class Fields>
+void describe(Fields& f, CheckpointOptions& o) {
+  f.optional("every", o.every, at_least(0), "-",
+             "checkpoints are written after every so many steps, 0: not in between; always where the run begins and stops");
+  f.optional("seconds", o.seconds, at_least(0), "s", "and no sooner than so many seconds of the clock after the last one");
+}
+
+template <class Fields>
 void describe(Fields& f, ProbeOptions& o) {
   Choices<std::string> quantities;
   for (const char* name : {"displacement_x", "displacement_y", "displacement_z", "position_x", "position_y", "position_z",
@@ -212,6 +219,7 @@ void describe(Fields& f, DeckOptions& o) {
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
   f.list("output", o.output, Presence::optional, "what is written to results.e");
+  f.list("checkpoints", o.checkpoints, Presence::optional, "how often the run is kept, for `mortise restart` to go on from");
   f.named("probes", o.probes, Presence::optional, "nodal quantities followed in history.csv");
   f.named("expected", o.expected, Presence::filled_if_present, "values the run must meet; one missed gives exit code 7");
 }

@@ -95,6 +95,12 @@ struct OutputOptions {
   int every = 1;  ///< Exodus frames: every n-th accepted step, and every stop
 };
 
+/// When a checkpoint is written; one always is where a run begins and where it stops.
+struct CheckpointOptions {
+  int every = 1;        ///< after every n-th accepted step; 0: never in between
+  double seconds = 10;  ///< of the clock at least between two
+};
+
 /// A nodal quantity followed in history.csv.
 struct ProbeOptions {
   std::string quantity;  ///< e.g. "displacement_x"
@@ -137,6 +143,7 @@ struct DeckOptions {
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;
+  CheckpointOptions checkpoints;
   Named<ProbeOptions> probes;
   Named<ExpectedOptions> expected;
 };

@@ -35,7 +35,7 @@ std::string exodus_reason() {
   }
 }
 
-ExodusFile open_exodus(const std::filesystem::path& file) {
+ExodusFile open_exodus(const std::filesystem::path& file, ExodusAccess access) {
   ex_opts(EX_DEFAULT);
   // ex_open prints about files that netCDF cannot open, whatever its options say, so netCDF is asked first.
   int netcdf = 0;
@@ -44,7 +44,8 @@ ExodusFile open_exodus(const std::filesystem::path& file) {
   nc_close(netcdf);
   int memory_word = sizeof(double), file_word = 0;
   float version = 0;
-  return ExodusFile(ex_open(file.c_str(), EX_READ | EX_ALL_INT64_API, &memory_word, &file_word, &version));
+  const int mode = access == ExodusAccess::write ? EX_WRITE : EX_READ;
+  return ExodusFile(ex_open(file.c_str(), mode | EX_ALL_INT64_API, &memory_word, &file_word, &version));
 }
 
 void require_written(int status, const std::filesystem::path& file, const std::string& what) {

@@ -34,8 +34,10 @@ class ExodusFile {
 /// What went wrong in the last call of the library: `No such file or directory`, `id not found`.
 std::string exodus_reason();
 
-/// Opens an existing file for reading, with 64-bit integers in all calls; the id is negative if that failed.
-ExodusFile open_exodus(const std::filesystem::path& file);
+enum class ExodusAccess { read, write };
+
+/// Opens an existing file, with 64-bit integers in all calls; the id is negative if that failed.
+ExodusFile open_exodus(const std::filesystem::path& file, ExodusAccess access = ExodusAccess::read);
 
 /// Creates a file and writes the mesh into it: nodes, blocks, sets, names, number maps, title, QA record.
 /// Format: classic 64-bit offset; netCDF-4 with 64-bit integers where a number or id does not fit into 32 bits.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
 
 #include "assembly/vectors.hpp"
 #include "deck/quantities.hpp"
-#include "output/on_root.hpp"
-
+#include "output/atomic_file.hpp"
 #include "output/on_root.hpp"
 
 namespace mortise {
@@ -30,25 +32,61 @@ Vector increment(const StepProblem& problem, const State& before, const State& n
   return dq;
 }
 
-}  // namespace
-
-History::History(const StepProblem& problem, const std::filesystem::path& file) : file_(file) {
-  const Scene& scene = problem.scene();
-  columns_.assign(step_columns.begin(), step_columns.end());
+std::vector<std::string> columns_of(const Scene& scene) {
+  std::vector<std::string> columns(step_columns.begin(), step_columns.end());
   for (const auto& pair : scene.pairs)
-    for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("contact_force_{}.{}", axis, pair.name));
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("contact_force_{}.{}", axis, pair.name));
   for (const auto& support : scene.supports)
-    for (const char* axis : {"x", "y", "z"}) columns_.push_back(fmt::format("reaction_{}.{}", axis, support.name));
-  columns_.insert(columns_.end(), ledger_columns.begin(), ledger_columns.end());
-  for (const auto& probe : scene.probes) columns_.push_back(fmt::format("{}.{}", probe.quantity, probe.name));
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("reaction_{}.{}", axis, support.name));
+  columns.insert(columns.end(), ledger_columns.begin(), ledger_columns.end());
+  for (const auto& probe : scene.probes) columns.push_back(fmt::format("{}.{}", probe.quantity, probe.name));
   for (const char* name :
        {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})
-    columns_.emplace_back(name);
-  for (const auto& pair : scene.pairs) columns_.push_back(fmt::format("closure_error.{}", pair.name));
+    columns.emplace_back(name);
+  for (const auto& pair : scene.pairs) columns.push_back(fmt::format("closure_error.{}", pair.name));
+  return columns;
+}
+
+}  // namespace
+
+History::History(const StepProblem& problem, const std::filesystem::path& file)
+    : columns_(columns_of(problem.scene())), file_(file) {
   on_root(*problem.dofs().comm(), [&] {
     out_.open(file);
     out_ << fmt::format("{}\n", fmt::join(columns_, ","));
     out_.flush();
+    if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
+  });
+}
+
+History::History(const StepProblem& problem, const std::filesystem::path& file, int steps, Ledger ledger)
+    : columns_(columns_of(problem.scene())), file_(file), ledger_(std::move(ledger)) {
+  const auto refuse = [&](const std::string& why) {
+    throw FileError(fmt::format("{}: error[I10] {} - the run cannot go on from its checkpoint", file.string(), why));
+  };
+  std::ifstream in(file);
+  if (!in) refuse("cannot be read");
+  std::string line, kept;
+  std::getline(in, line);
+  if (line != fmt::format("{}", fmt::join(columns_, ","))) refuse("has other columns than this run writes");
+  kept = line + '\n';
+  while (static_cast<int>(rows_.size()) <= steps && std::getline(in, line)) {
+    std::vector<double> row;
+    std::istringstream cells(line);
+    for (std::string cell; std::getline(cells, cell, ',');) {
+      row.push_back(std::nan(""));
+      std::from_chars(cell.data(), cell.data() + cell.size(), row.back());
+    }
+    if (row.size() != columns_.size() || row[0] != static_cast<double>(rows_.size()))
+      refuse(fmt::format("line {} is not the row of step {}", rows_.size() + 2, rows_.size()));
+    rows_.push_back(std::move(row));
+    kept += line + '\n';
+  }
+  if (static_cast<int>(rows_.size()) <= steps) refuse(fmt::format("ends before step {}", steps));
+  problem.dofs().comm()->barrier();  // every rank has read it
+  on_root(*problem.dofs().comm(), [&] {
+    write_atomically(file, kept);
+    out_.open(file, std::ios::app);
     if (!out_) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
   });
 }
@@ -59,11 +97,11 @@ int History::column(const std::string& name) const {
 }
 
 // The ledger of a static step: forces of the new state work on the increment of positions.
-void History::update_works(StepProblem& problem, const State& before, const State& now, const Evaluation& at) {
+void History::update_ledger(StepProblem& problem, const State& before, const State& now, const Evaluation& at) {
   const Scene& scene = problem.scene();
   const Vector dq = increment(problem, before, now);
-  const double energy_before = strain_energy_;
-  strain_energy_ = strain_energy(problem, now);
+  const double energy_before = ledger_.strain_energy;
+  ledger_.strain_energy = strain_energy(problem, now);
 
   Vector out_of_balance(*at.internal, Teuchos::Copy);
   out_of_balance.update(1.0, *at.contact, -1.0, *at.external, 1.0);
@@ -80,7 +118,7 @@ void History::update_works(StepProblem& problem, const State& before, const Stat
   }
   const double internal = at.internal->dot(dq), contact = -at.contact->dot(dq),
                external = at.external->dot(dq) + reaction.dot(dq), residual = out_of_balance.dot(dq),
-               stored = strain_energy_ - energy_before, algorithmic = internal - stored;
+               stored = ledger_.strain_energy - energy_before, algorithmic = internal - stored;
   double closing = 0, both_ends = 0;
   std::vector<double> weighted_gap;
   if (!scene.pairs.empty()) {
@@ -91,34 +129,34 @@ void History::update_works(StepProblem& problem, const State& before, const Stat
       auto p = newly.getDataNonConst();
       for (int k = 0; k < scene.n_multipliers; ++k) {
         weighted_gap.push_back(gap[first + k] * area[first + k]);
-        if (!closed_before_[k]) continue;
-        both_ends += x[first + k] * (weighted_gap[k] - weighted_gap_before_[k]);
+        if (!ledger_.closed[k]) continue;
+        both_ends += x[first + k] * (weighted_gap[k] - ledger_.weighted_gap[k]);
         const int point = problem.dofs().n_nodes() + k;
         if (problem.dofs().owned(point)) p[problem.dofs().local(point)] = 0;
       }
     }
     closing = -problem.contact_force(*now.x, newly)->dot(dq);
   }
-  works_.external += external;
-  works_.contact += contact;
-  works_.closing += closing;
-  works_.resegmentation += contact - closing - both_ends;
-  works_.algorithmic += algorithmic;
-  works_.residual += residual;
-  works_.mismatch = stored + algorithmic - contact - external - residual;
-  weighted_gap_before_ = weighted_gap;
+  ledger_.external += external;
+  ledger_.contact += contact;
+  ledger_.closing += closing;
+  ledger_.resegmentation += contact - closing - both_ends;
+  ledger_.algorithmic += algorithmic;
+  ledger_.residual += residual;
+  ledger_.mismatch = stored + algorithmic - contact - external - residual;
+  ledger_.weighted_gap = weighted_gap;
 }
 
 void History::observe(StepProblem& problem, const State& before, const State& now, const Evaluation& at, const StepRecord& record,
                       double seconds_solve, double seconds_output) {
   const Scene& scene = problem.scene();
   if (record.step == 0) {
-    strain_energy_ = strain_energy(problem, now);
-    weighted_gap_before_.assign(scene.n_multipliers, 0.0);
+    ledger_.strain_energy = strain_energy(problem, now);
+    ledger_.weighted_gap.assign(scene.n_multipliers, 0.0);
   } else {
-    update_works(problem, before, now, at);
+    update_ledger(problem, before, now, at);
   }
-  closed_before_ = at.closed;
+  ledger_.closed = at.closed;
 
   std::vector<double> row{static_cast<double>(record.step),
                           record.time,
@@ -142,9 +180,9 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     row.insert(row.end(), sum.begin(), sum.end());
   }
   // No inertia, friction or damping in a static scene: their shares are zero because the terms do not exist.
-  row.insert(row.end(),
-             {0.0, strain_energy_, 0.0, strain_energy_, works_.external, works_.contact, works_.closing, works_.resegmentation,
-              0.0, 0.0, works_.algorithmic, works_.residual, works_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  row.insert(row.end(), {0.0, ledger_.strain_energy, 0.0, ledger_.strain_energy, ledger_.external, ledger_.contact,
+                         ledger_.closing, ledger_.resegmentation, 0.0, 0.0, ledger_.algorithmic, ledger_.residual,
+                         ledger_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   for (const auto& probe : scene.probes) row.push_back(nodal_quantity(problem, now, at, probe.quantity)[probe.node]);
   const auto& counts = problem.counts();
   row.insert(row.end(), {counts.seconds_search, counts.seconds_contact, counts.seconds_elements, seconds_solve, seconds_output,

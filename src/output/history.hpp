@@ -10,11 +10,24 @@
 
 namespace mortise {
 
+/// Sums of works since the start, and what the next step's works are counted from (conventions, section 7).
+struct Ledger {
+  double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0;  ///< [J]
+  double mismatch = 0;                                                                               ///< of the last step [J]
+  double strain_energy = 0;                                                                          ///< [J]
+  std::vector<char> closed;          ///< per multiplier of the scene
+  std::vector<double> weighted_gap;  ///< likewise [m^3]
+};
+
 /// Columns and rows of a run; on rank 0 also the file. Columns: conventions, section 3; the ledger: section 7.
 class History {
  public:
-  /// Writes the header on rank 0. @throws FileError
+  /// Begins a file: writes the header on rank 0. @throws FileError
   History(const StepProblem& problem, const std::filesystem::path& file);
+
+  /// Goes on with the file of a run after so many steps: later rows are cut off. Every rank reads it.
+  /// @throws FileError if the file does not hold these steps, or other columns
+  History(const StepProblem& problem, const std::filesystem::path& file, int steps, Ledger ledger);
 
   const std::vector<std::string>& columns() const { return columns_; }
   const std::vector<std::vector<double>>& rows() const { return rows_; }
@@ -26,21 +39,16 @@ class History {
   /// Column number by name; -1 if there is none.
   int column(const std::string& name) const;
 
+  const Ledger& ledger() const { return ledger_; }
+
  private:
-  struct Works {
-    double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0, mismatch = 0;
-  };
-  void update_works(StepProblem& problem, const State& before, const State& now, const Evaluation& at);
+  void update_ledger(StepProblem& problem, const State& before, const State& now, const Evaluation& at);
 
   std::vector<std::string> columns_;
   std::vector<std::vector<double>> rows_;
   std::ofstream out_;
   std::filesystem::path file_;
-  Works works_;
-  double strain_energy_ = 0;
-  std::vector<char> closed_before_;
-  RCP<Vector> internal_before_;
-  std::vector<double> weighted_gap_before_;
+  Ledger ledger_;
 };
 
 /// Nodal values by the names used in decks: von_mises, displacement_x, contact_pressure, ... , on every rank, one value per node.

@@ -4,10 +4,13 @@
 #include <exodusII.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cassert>
+#include <fstream>
 
 #include "errors.hpp"
 #include "mesh/exodus_file.hpp"
+#include "mesh/netcdf_header.hpp"
 
 namespace mortise {
 
@@ -22,6 +25,28 @@ void declare_variables(int id, const std::filesystem::path& file, ex_entity_type
   require_written(ex_put_variable_names(id, type, n, pointers.data()), file, "names of variables");
 }
 
+// Cuts off all but the first frames of a classic netCDF file: the number of records stands in bytes 4 to 7, big end first, and
+// records are what is last in the file. The library has no call for it. A netCDF-4 file keeps its later frames until they are
+// overwritten.
+void keep_frames(const std::filesystem::path& file, int n_frames) {
+  if (read_netcdf_header(file).kind != FileKind::classic) return;
+  std::fstream bytes(file, std::ios::in | std::ios::out | std::ios::binary);
+  std::array<char, 4> number{};
+  bytes.seekg(4);
+  bytes.read(number.data(), number.size());
+  std::uint32_t found = 0;
+  for (char c : number) found = found << 8 | static_cast<unsigned char>(c);
+  if (!bytes || found <= static_cast<std::uint32_t>(n_frames)) return;
+  for (int k = 0; k < 4; ++k) number[k] = static_cast<char>(n_frames >> (24 - 8 * k) & 0xFF);
+  bytes.seekp(4);
+  bytes.write(number.data(), number.size());
+  bytes.close();
+  std::error_code failure;
+  if (const auto header = read_netcdf_header(file); bytes && header.n_required < header.n_bytes)
+    std::filesystem::resize_file(file, header.n_required, failure);
+  if (!bytes || failure) throw FileError(fmt::format("{}: error[I02] cannot be written", file.string()));
+}
+
 }  // namespace
 
 ResultsFile::ResultsFile(const std::filesystem::path& file, const Mesh& mesh, const std::string& title,
@@ -33,6 +58,24 @@ ResultsFile::ResultsFile(const std::filesystem::path& file, const Mesh& mesh, co
   declare_variables(exodus.id(), file_, EX_NODAL, nodal_);
   declare_variables(exodus.id(), file_, EX_GLOBAL, global_);
   require_written(ex_update(exodus.id()), file_, "geometry");
+  exodus_id_ = exodus.release();
+}
+
+ResultsFile::ResultsFile(const std::filesystem::path& file, const Mesh& mesh, int n_frames, std::vector<std::string> nodal,
+                         std::vector<std::string> global)
+    : file_(file), n_nodes_(mortise::n_nodes(mesh)), frame_(n_frames), nodal_(std::move(nodal)), global_(std::move(global)) {
+  keep_frames(file, n_frames);
+  ExodusFile exodus = open_exodus(file, ExodusAccess::write);
+  const auto has = [&](ex_entity_type type, const std::vector<std::string>& names) {
+    int n = 0;
+    return ex_get_variable_param(exodus.id(), type, &n) >= 0 && n == static_cast<int>(names.size());
+  };
+  if (exodus.id() < 0 || ex_inquire_int(exodus.id(), EX_INQ_NODES) != n_nodes_ ||
+      ex_inquire_int(exodus.id(), EX_INQ_TIME) < n_frames || !has(EX_NODAL, nodal_) || !has(EX_GLOBAL, global_))
+    throw FileError(
+        fmt::format("{}: error[I10] is not the results file of this run with its {} frames - move it away, and the "
+                    "run goes on with a new one",
+                    file.string(), n_frames));
   exodus_id_ = exodus.release();
 }
 

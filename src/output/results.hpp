@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -14,10 +13,15 @@ namespace mortise {
 /// Used on rank 0 only, with gathered fields.
 class ResultsFile {
  public:
+  /// Begins a file.
   /// @param nodal names of nodal variables, e.g. "displacement_x" (ParaView joins _x _y _z to a vector)
   /// @param global names of global variables
   /// @throws FileError
   ResultsFile(const std::filesystem::path& file, const Mesh& mesh, const std::string& title, std::vector<std::string> nodal,
+              std::vector<std::string> global);
+  /// Goes on with a file behind its first `n_frames` frames; later ones are cut off. The names as when it was begun.
+  /// @throws FileError if it is no such file, or holds fewer frames
+  ResultsFile(const std::filesystem::path& file, const Mesh& mesh, int n_frames, std::vector<std::string> nodal,
               std::vector<std::string> global);
   ~ResultsFile();
   ResultsFile(const ResultsFile&) = delete;
@@ -27,6 +31,8 @@ class ResultsFile {
   /// value
   /// @throws FileError (e.g. disk full)
   void write(double time, const std::vector<std::vector<double>>& nodal, const std::vector<double>& global);
+
+  int n_frames() const { return frame_; }
 
  private:
   std::filesystem::path file_;

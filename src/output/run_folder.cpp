@@ -1,16 +1,22 @@
 #include "output/run_folder.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
-#include "time/march.hpp"
+#include "output/checkpoint.hpp"
 
 namespace mortise {
 namespace {
@@ -19,30 +25,52 @@ namespace fs = std::filesystem;
 
 const std::vector<std::string> run_files{"results.e", "history.csv", "manifest.txt", "summary.json", "run.log", "mesh.e"};
 
+// Locks a folder; file systems that know no locks go without.
+int lock(const fs::path& folder) {
+  const int id = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (id < 0) throw FileError(fmt::format("{}: error[I05] cannot be opened: {}", folder.string(), std::strerror(errno)));
+  if (flock(id, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    close(id);
+    throw FileError(
+        fmt::format("{}: error[I05] another run is writing into this folder - wait for it, or stop it", folder.string()));
+  }
+  return id;
+}
+
 std::string on_off(bool on) { return on ? "on" : "off"; }
 
 }  // namespace
 
-void prepare_run_folder(const fs::path& folder, bool overwrite) {
+RunFolder RunFolder::begin(const fs::path& folder, bool overwrite) {
   std::error_code failure;
   const auto refuse = [&](const std::string& why) { throw FileError(fmt::format("{}: error[I05] {}", folder.string(), why)); };
   const bool exists = fs::exists(folder, failure);
   if (failure && failure != std::errc::no_such_file_or_directory) refuse("cannot be looked at: " + failure.message());
   if (exists && !fs::is_directory(folder, failure)) refuse("is a file - a folder for the results is needed");
-  if (exists && !fs::is_empty(folder, failure)) {
-    if (failure) refuse("cannot be looked at: " + failure.message());
-    const bool has_results =
-        std::any_of(run_files.begin(), run_files.end(), [&](const auto& name) { return fs::exists(folder / name, failure); });
-    if (!has_results) refuse("holds other files and no results - name an empty folder with -o");
-    if (!overwrite) refuse("holds results already - use --overwrite, or another folder with -o");
-    for (const auto& name : run_files) {
-      fs::remove(folder / name, failure);
-      if (failure) refuse(fmt::format("\"{}\" in it cannot be replaced: {}", name, failure.message()));
-    }
-  }
   fs::create_directories(folder, failure);
   if (failure) refuse("cannot be made: " + failure.message());
+  RunFolder locked(lock(folder));
+  if (fs::is_empty(folder, failure)) return locked;
+  if (failure) refuse("cannot be looked at: " + failure.message());
+  std::vector<fs::path> old = checkpoint_files(folder);
+  for (const auto& name : run_files)
+    if (fs::exists(fs::symlink_status(folder / name, failure))) old.push_back(folder / name);
+  if (old.empty()) refuse("holds other files and no results - name an empty folder with -o");
+  if (!overwrite) refuse("holds results already - use --overwrite, or another folder with -o");
+  for (const auto& file : old) {
+    fs::remove(file, failure);
+    if (failure) refuse(fmt::format("\"{}\" in it cannot be replaced: {}", file.filename().string(), failure.message()));
+  }
+  return locked;
 }
+
+RunFolder RunFolder::go_on(const fs::path& folder) { return RunFolder(lock(folder)); }
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) close(lock_);
+}
+
+RunFolder::RunFolder(RunFolder&& other) noexcept : lock_(std::exchange(other.lock_, -1)) {}
 
 std::string sha256(const std::string& text) {
   unsigned char digest[EVP_MAX_MD_SIZE];
@@ -122,21 +150,20 @@ std::vector<Expectation> check_expectations(const Scene& scene, const History& h
   return results;
 }
 
-void write_summary(const fs::path& file, const MarchSummary& summary, ExitCode code, const std::vector<Expectation>& expectations,
-                   const StepProblem& problem, const Newton& newton, double cpu_seconds, double wall_seconds) {
+void write_summary(const fs::path& file, const RunOutcome& outcome, const StepProblem& problem, const Newton& newton) {
   using Json = nlohmann::ordered_json;
   const WorkCounts& counts = problem.counts();
-  Json json{{"exit_code", static_cast<int>(code)},
-            {"end_time", summary.end_time},
-            {"steps", summary.steps},
-            {"cuts", summary.cuts},
-            {"newton_iterations", summary.newton_iterations},
-            {"newton_iterations_of_rejected_steps", summary.wasted_iterations},
+  Json json{{"exit_code", static_cast<int>(outcome.code)},
+            {"end_time", outcome.end_time},
+            {"steps", outcome.done.steps},
+            {"cuts", outcome.done.cuts},
+            {"newton_iterations", outcome.done.newton_iterations},
+            {"newton_iterations_of_rejected_steps", outcome.done.wasted_iterations},
             {"ranks", problem.dofs().comm()->getSize()},
-            {"cause", summary.cause},
+            {"cause", outcome.cause},
             {"seconds",
-             {{"cpu_of_rank_0", cpu_seconds},
-              {"wall", wall_seconds},
+             {{"cpu_of_rank_0", outcome.cpu_seconds},
+              {"wall", outcome.wall_seconds},
               {"search", counts.seconds_search},
               {"contact", counts.seconds_contact},
               {"elements", counts.seconds_elements},
@@ -147,6 +174,7 @@ void write_summary(const fs::path& file, const MarchSummary& summary, ExitCode c
               {"tangents", counts.tangents},
               {"element_tangents", counts.element_tangents},
               {"graphs", counts.graphs}}}};
+  if (outcome.restarted_after >= 0) json["restarted_after_step"] = outcome.restarted_after;
   if (const auto* direct = newton.linear_solver().direct())
     json["direct_solver"] = {
         {"analyses", direct->analyses()},
@@ -159,7 +187,7 @@ void write_summary(const fs::path& file, const MarchSummary& summary, ExitCode c
         {"searches", c.searches}, {"pairs", c.pairs}, {"overlaps", c.overlaps}, {"turned_away", c.turned_away}};
   }
   json["expected"] = Json::array();
-  for (const auto& e : expectations)
+  for (const auto& e : outcome.expectations)
     json["expected"].push_back(
         {{"name", e.name}, {"expected", e.expected}, {"tolerance", e.tolerance}, {"found", e.found}, {"met", e.met}});
   std::ofstream out(file);

@@ -3,15 +3,32 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "deck/deck.hpp"
 #include "output/history.hpp"
 
 namespace mortise {
 
-/// Makes `folder` ready: creates it, or refuses one that holds results (unless `overwrite`: these are removed, nothing else).
-/// @throws FileError
-void prepare_run_folder(const std::filesystem::path& folder, bool overwrite);
+/// A folder that this run alone writes into, for as long as the object lives (a lock of the system, which a killed program
+/// loses).
+class RunFolder {
+ public:
+  /// For a new run: creates the folder, or refuses one that holds results (unless `overwrite`: these are removed, nothing else).
+  /// @throws FileError
+  static RunFolder begin(const std::filesystem::path& folder, bool overwrite);
+
+  /// For a run that goes on in its folder. @throws FileError
+  static RunFolder go_on(const std::filesystem::path& folder);
+
+  ~RunFolder();
+  RunFolder(RunFolder&& other) noexcept;
+  RunFolder& operator=(RunFolder&&) = delete;
+
+ private:
+  explicit RunFolder(int lock) : lock_(lock) {}
+  int lock_;
+};
 
 /// SHA-256 of a text, in hexadecimal.
 std::string sha256(const std::string& text);
@@ -32,9 +49,19 @@ struct Expectation {
 /// Compares the history with the deck's `expected` list: forces by magnitude, means weighted with time.
 std::vector<Expectation> check_expectations(const Scene& scene, const History& history);
 
+/// How a run ended, for summary.json.
+struct RunOutcome {
+  ExitCode code = ExitCode::done;
+  std::string cause;  ///< why early, in words
+  double end_time = 0;
+  MarchCounts done;          ///< since the start, over all restarts
+  int restarted_after = -1;  ///< the step whose checkpoint this session went on from, -1: it began the run
+  std::vector<Expectation> expectations;
+  double cpu_seconds = 0, wall_seconds = 0;  ///< of this session
+};
+
 /// summary.json. @throws FileError
-void write_summary(const std::filesystem::path& file, const MarchSummary& summary, ExitCode code,
-                   const std::vector<Expectation>& expectations, const StepProblem& problem, const Newton& newton,
-                   double cpu_seconds, double wall_seconds);
+void write_summary(const std::filesystem::path& file, const RunOutcome& outcome, const StepProblem& problem,
+                   const Newton& newton);
 
 }  // namespace mortise

@@ -235,8 +235,7 @@ StepResult Newton::solve(const State& from, double t) {
     return result;
   }
   const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());
-  result.state.time = t;
-  result.state.x = Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy));
+  result.state = {t, Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy)), problem_.search()};
   result.evaluation = solved.evaluation();
   return result;
 }

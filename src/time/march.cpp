@@ -43,7 +43,7 @@ std::string unsettled_nodes(const Scene& scene, const std::vector<int>& multipli
 
 }  // namespace
 
-StepSize::StepSize(const TimeOptions& options) : options_(options), stops_(options.stops), dt_(options.step) {
+StepSize::StepSize(const TimeOptions& options, double dt) : options_(options), stops_(options.stops), dt_(dt) {
   if (stops_.empty() || stops_.back() < options.end) stops_.push_back(options.end);
 }
 
@@ -65,65 +65,71 @@ bool StepSize::cut(double tried) {
   return dt_ >= options_.smallest_step.value_or(options_.step / 1024);
 }
 
-MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options,
-                   const std::vector<Observer>& observers, const Reporter& log, const Reporter& progress) {
+MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const TimeOptions& options, const MarchParty& party) {
   const Scene& scene = problem.scene();
   MarchSummary summary;
-  StepSize size(options);
-  State state = initial;
-  problem.begin_step(state, state.time);
-  {
-    const Evaluation at = problem.evaluate(*state.x);
-    for (const auto& observe : observers) observe(state, state, at, StepRecord{});
+  StepSize size(options, at.dt);
+  if (at.counts.steps == 0) {
+    problem.begin_step(at.state, at.state.time);
+    const Evaluation evaluation = problem.evaluate(*at.state.x);
+    for (const auto& observe : party.observers) observe(at.state, at.state, evaluation, StepRecord{});
+    party.keep(at);
   }
   const auto begin = std::chrono::steady_clock::now();
-  int cuts = 0;
-  while (state.time < options.end) {
-    const double t = size.next_time(state.time), dt = t - state.time;
-    StepResult result = newton.solve(state, t);
-    const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", summary.steps + 1, t, dt);
+  const double first_time = at.state.time;
+  while (at.state.time < options.end) {
+    if (summary.code = party.stop(); summary.code != ExitCode::done) {
+      summary.cause = fmt::format("stopped by {} after step {}, t = {:.6g}",
+                                  summary.code == ExitCode::interrupted ? "SIGINT" : "SIGTERM", at.counts.steps, at.state.time);
+      break;
+    }
+    const double t = size.next_time(at.state.time), dt = t - at.state.time;
+    StepResult result = newton.solve(at.state, t);
+    const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", at.counts.steps + 1, t, dt);
     if (result.is_deck_fault) {
-      log(fmt::format("{}: {}\n", head, result.cause));
+      party.log(fmt::format("{}: {}\n", head, result.cause));
       summary.code = ExitCode::deck;
       summary.cause = result.cause;
       break;
     }
     if (!result.converged) {
-      ++cuts;
-      ++summary.cuts;
-      summary.wasted_iterations += result.iterations;
+      ++at.pending_cuts;
+      ++at.counts.cuts;
+      at.counts.wasted_iterations += result.iterations;
       const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
       const bool go_on = size.cut(dt) && !result.is_free;
-      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", 0.5 * dt)
+      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", size.dt())
                                      : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body"
                                                                   : "  next:  nothing, the smallest step is reached");
-      log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
-                      iteration_table(result), cause, next));
-      progress(fmt::format("{}: not converged, {}", head, cause));
+      party.log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
+                            iteration_table(result), cause, next));
+      party.progress(fmt::format("{}: not converged, {}", head, cause));
       if (!go_on) {
         summary.code = ExitCode::no_convergence;
         summary.cause = fmt::format("{}: no step converged{}; {}", head, result.is_free ? "" : " at the smallest dt", cause);
         break;
       }
+      at.dt = size.dt();
       continue;
     }
-    ++summary.steps;
-    summary.newton_iterations += result.iterations;
-    log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
+    ++at.counts.steps;
+    at.counts.newton_iterations += result.iterations;
+    party.log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
     if (const Evaluation& e = result.evaluation; e.n_partly_covered > 0)
-      log(fmt::format("  {} closed nodes are partly covered and yield, first: {}\n", e.n_partly_covered,
-                      name_of_multiplier(scene, e.first_partly_covered)));
-    const StepRecord record{summary.steps, t, dt, result.iterations, cuts, size.is_stop(t)};
-    for (const auto& observe : observers) observe(state, result.state, result.evaluation, record);
+      party.log(fmt::format("  {} closed nodes are partly covered and yield, first: {}\n", e.n_partly_covered,
+                            name_of_multiplier(scene, e.first_partly_covered)));
+    const StepRecord record{at.counts.steps, t, dt, result.iterations, at.pending_cuts, size.is_stop(t)};
+    for (const auto& observe : party.observers) observe(at.state, result.state, result.evaluation, record);
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const double to_go = elapsed * (options.end - t) / (t - initial.time);
-    progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
-                         result.evaluation.n_closed, to_go));
-    cuts = 0;
+    const double to_go = elapsed * (options.end - t) / (t - first_time);
+    party.progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
+                               result.evaluation.n_closed, to_go));
     size.accepted(result.iterations);
-    state = result.state;
+    at.state = result.state;
+    at.dt = size.dt();
+    at.pending_cuts = 0;
+    party.keep(at);
   }
-  summary.end_time = state.time;
   return summary;
 }
 

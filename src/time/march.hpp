@@ -22,19 +22,34 @@ struct StepRecord {
 /// Called after every accepted step; must not change anything the march can see.
 using Observer = std::function<void(const State& before, const State& now, const Evaluation& at, const StepRecord& record)>;
 
-struct MarchSummary {
-  ExitCode code = ExitCode::done;
+/// Work of a march since its start.
+struct MarchCounts {
   int steps = 0, cuts = 0;
   long newton_iterations = 0;  ///< of accepted steps
   long wasted_iterations = 0;  ///< of rejected attempts
-  double end_time = 0;
-  std::string cause;  ///< why it ended early
+};
+
+/// Where a march stands between two attempts: all that the next one depends on. A march goes on from it as if it had not stopped.
+struct MarchState {
+  State state;
+  double dt = 0;         ///< size of the next step
+  int pending_cuts = 0;  ///< attempts rejected since the last accepted step
+  MarchCounts counts;
+};
+
+/// How a march ended.
+struct MarchSummary {
+  ExitCode code = ExitCode::done;
+  std::string cause;  ///< why early, in words
 };
 
 /// The next step size: grows after an easy step, is halved after a failure, meets every stop exactly.
 class StepSize {
  public:
-  explicit StepSize(const TimeOptions& options);
+  /// @param dt the first step
+  StepSize(const TimeOptions& options, double dt);
+
+  double dt() const { return dt_; }
 
   /// Time at the end of the next step that starts at `t`.
   double next_time(double t) const;
@@ -53,8 +68,16 @@ class StepSize {
 /// Text for one step, told line by line as it happens.
 using Reporter = std::function<void(const std::string&)>;
 
-/// Marches a scene. @param log complete log of every iteration  @param progress one line per step
-MarchSummary march(StepProblem& problem, Newton& newton, const State& initial, const TimeOptions& options,
-                   const std::vector<Observer>& observers, const Reporter& log, const Reporter& progress);
+/// Who takes part in a march besides its equations.
+struct MarchParty {
+  std::vector<Observer> observers;
+  std::function<void(const MarchState&)> keep;  ///< told where the march stands after every accepted step, to keep it
+  std::function<ExitCode()> stop;  ///< asked after every attempt: anything but `done` ends the march there; collective
+  Reporter log;                    ///< gets every iteration
+  Reporter progress;               ///< gets one line per step
+};
+
+/// Marches a scene from where it stands to the end; `at` is then where it ended. At step 0 the observers see the initial state.
+MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const TimeOptions& options, const MarchParty& party);
 
 }  // namespace mortise

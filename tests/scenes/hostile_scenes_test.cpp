@@ -73,9 +73,9 @@ TEST_F(HostileScene, SupportsThatContradictAreNamedBeforeTheRun) {
 
 // At the start and at the end both are zero.
 TEST_F(HostileScene, SupportsThatContradictInBetweenAreNamedWhenTheyDo) {
-  expect_refused(
-      patch_with("supports", list("edge", text("set", "lower/left") + text("z", "t*(1-t)"))), "\"t*(1-t)\"",
-      {"error[D21]", "is moved by 0.25 here and by 0", "at t = 0.5 - one value is needed", "the last good state is in"});
+  expect_refused(patch_with("supports", list("edge", text("set", "lower/left") + text("z", "t*(1-t)"))), "\"t*(1-t)\"",
+                 {"error[D21]", "is moved by 0.25 here and by 0", "at t = 0.5 - one value is needed",
+                  "the last good state (step 0, t = 0) is in out/results.e"});
   EXPECT_EQ(history()["time"], (std::vector<double>{0}));
 }
 
@@ -120,9 +120,10 @@ TEST_F(HostileScene, FormulaThatFailsAtTheSeventhStepKeepsTheSixth) {
   deck = with(deck, "type=\"double\" value=\"0.5\"", "type=\"double\" value=\"0.1\"");
   deck = with(deck, "<ParameterList name=\"output\">",
               "<ParameterList name=\"output\"><Parameter name=\"every\" type=\"int\" value=\"5\"/>");
-  expect_refused(deck, "&lt; 0.65",
-                 {"error[D23] loads > pressing > \"z\" = \"-1e4*t + 0/(t < 0.65)\" - gives ", "nan at t = 0.7",
-                  "x = 0, y = 0, z = 120 - must be a finite number; the last good state is in out/results.e"});
+  expect_refused(
+      deck, "&lt; 0.65",
+      {"error[D23] loads > pressing > \"z\" = \"-1e4*t + 0/(t < 0.65)\" - gives ", "nan at t = 0.7",
+       "x = 0, y = 0, z = 120 - must be a finite number", "the last good state (step 6, t = 0.6) is in out/results.e"});
   const auto times = history()["time"];
   ASSERT_EQ(times.size(), 7u);
   EXPECT_EQ(read_frames(folder / "out" / "results.e").times, (std::vector<double>{0, times[5], times[6]}));

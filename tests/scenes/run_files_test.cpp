@@ -21,7 +21,8 @@ TEST(Run, LeavesTheFilesOfTheConventions) {
   ASSERT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(count_of(run.out, "\x1b"), 0) << "control characters in a file";
   EXPECT_EQ(count_of(run.out, "step 2, t = 1"), 1);
-  std::vector<std::string> found, expected{"history.csv", "manifest.txt", "mesh.e", "results.e", "run.log", "summary.json"};
+  std::vector<std::string> found,
+      expected{"checkpoint.0", "checkpoint.2", "history.csv", "manifest.txt", "mesh.e", "results.e", "run.log", "summary.json"};
   for (const auto& entry : std::filesystem::directory_iterator(folder / "out")) found.push_back(entry.path().filename().string());
   std::sort(found.begin(), found.end());
   EXPECT_EQ(found, expected);

@@ -54,13 +54,7 @@ struct TestScene {
   std::size_t n_unknowns() const { return n_positions() + scene.n_multipliers; }
   std::vector<double> gather(const Vector& v) const { return problem.gather(v); }
 
-  /// The owned part of a vector over all unknowns that every rank knows.
-  RCP<Vector> scatter(const std::vector<double>& all) const {
-    const auto v = Teuchos::rcp(new Vector(problem.dofs().owned_map()));
-    auto values = v->getDataNonConst();
-    for (int k = 0; k < problem.dofs().n_owned(); ++k) values[k] = all[v->getMap()->getGlobalElement(k)];
-    return v;
-  }
+  RCP<Vector> scatter(const std::vector<double>& all) const { return problem.scatter(all); }
 
   /// Reference positions moved by up to `size` and pressures in [low, high): the same on any number of ranks.
   std::vector<double> random_state(Random& random, double size, double low, double high) const {

@@ -1,0 +1,56 @@
+#include "setup.hpp"
+
+#include <fmt/format.h>
+
+#include "assembly/rigid_modes.hpp"
+#include "assembly/vectors.hpp"
+#include "errors.hpp"
+
+namespace mortise {
+namespace {
+
+std::vector<int> contact_elements(const Scene& scene) {
+  std::vector<int> elements;
+  for (const auto& pair : scene.pairs)
+    elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
+  return elements;
+}
+
+Partition partition_of(const Scene& scene, const Comm& comm) {
+  const int n = n_elements(scene.mesh.mesh);
+  if (comm.getSize() > n)
+    throw UserError(ExitCode::resources, fmt::format("error[R02] {} ranks, but {} element{} - at most {} rank{} can be used",
+                                                     comm.getSize(), n, n == 1 ? "" : "s", n, n == 1 ? "" : "s"));
+  return make_partition(scene.mesh.mesh, comm.getSize(), contact_elements(scene));
+}
+
+}  // namespace
+
+Setup::Setup(Deck d, const RCP<const Comm>& comm)
+    : deck(std::move(d)),
+      scene(make_scene(deck, warnings)),
+      partition(partition_of(scene, *comm)),
+      problem(scene, partition, comm) {}
+
+State Setup::first_state() {
+  State state = problem.initial_state();
+  if (const std::string fault = problem.begin_step(state, 0); !fault.empty()) throw DeckError(fault);
+  std::vector<char> closed(scene.n_multipliers, 0);
+  std::vector<Vec3<double>> normals;
+  const Evaluation at = problem.evaluate(*state.x);
+  if (!scene.pairs.empty()) closed = at.closed;
+  const auto x = problem.to_overlap(*state.x);
+  for (const auto& pair : problem.pairs())
+    for (const auto& n : pair->normals(data(*x))) normals.push_back(n);
+  std::vector<std::string> messages;
+  for (const auto& body : free_bodies(scene, closed, normals))
+    messages.push_back(
+        deck.error("D22", {"bodies", body.body},
+                   fmt::format("{} free rigid {} in statics: {} - add supports, or let contact be closed at the "
+                               "start",
+                               body.modes.size(), body.modes.size() == 1 ? "mode" : "modes", fmt::join(body.modes, ", "))));
+  if (!messages.empty()) throw DeckError(messages);
+  return state;
+}
+
+}  // namespace mortise
