@@ -141,7 +141,7 @@ TEST(ForeignFiles, WithOtherElementTypesNameEachBlock) {
     file.add_block(3, "HEX", 1, 20, "");
   }
   const std::string error = mesh_error_of([&] { read_exodus(folder / "tool.exo"); });
-  expect_words(error, {"tool.exo: error[M12] block 2 \"shaft\": element type PYRAMID5 is not supported - hex8 (HEX, HEX8)",
+  expect_words(error, {"tool.exo: error[M12] block 2 \"shaft\": element type PYRAMID5 is not supported - supported: HEX8",
                        "block 3: element type HEX with 20 nodes is not supported"});
 }
 
@@ -182,7 +182,7 @@ TEST(ForeignFiles, ThatAreNoExodusFilesAreRefused) {
   write(std::string("CDF\1\0\0\0\0\0\0\0\x0a\x7f\xff\xff\xff", 16));  // two thousand million dimensions
   expect_words(error(), {"M04", "do not fit"});
   write("\x89HDF\r\n\x1a\n and so on");
-  expect_words(error(), {"M01", "not an Exodus file"});
+  expect_words(error(), {"M04", "superblock"});
 }
 
 TEST(ForeignFiles, CutAnywhereAreRefused) {
