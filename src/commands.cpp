@@ -12,6 +12,7 @@
 
 #include "assembly/rigid_modes.hpp"
 #include "mesh/exodus.hpp"
+#include "mesh/suspicions.hpp"
 #include "output/on_root.hpp"
 #include "output/results.hpp"
 #include "output/run_folder.hpp"
@@ -207,6 +208,7 @@ ExitCode check_command(const fs::path& file, const RCP<const Comm>& comm) {
       std::cout << fmt::format("  side set {} \"{}\": {} sides\n", set.id, set.name, set.sides.size());
     for (const auto& set : mesh.node_sets)
       std::cout << fmt::format("  node set {} \"{}\": {} nodes\n", set.id, set.name, set.nodes.size());
+    for (const auto& warning : mesh_warnings(mesh)) std::cout << "warning: " << warning << '\n';
     std::cout << "the mesh is usable\n";
     return ExitCode::done;
   }

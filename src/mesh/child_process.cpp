@@ -9,12 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <fstream>
 #include <new>
+#include <vector>
 
 #include "errors.hpp"
 
@@ -29,6 +29,8 @@ constexpr bool has_address_sanitizer = __has_feature(address_sanitizer);
 #else
 constexpr bool has_address_sanitizer = false;
 #endif
+
+constexpr int pipe_size = 1 << 20;  // the most that Linux allows everybody [bytes]
 
 enum ChildExit { ended_well = 0, threw = 1, out_of_memory = 2 };
 
@@ -82,7 +84,7 @@ bool write_all(int pipe, const std::string& bytes) {
 
 /// Reads until the other end is closed. @return false if the deadline comes first
 bool read_all(int pipe, std::string& bytes, std::chrono::steady_clock::time_point deadline) {
-  std::array<char, 65536> buffer{};
+  std::vector<char> buffer(pipe_size);
   for (;;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
     if (left <= 0) return false;
@@ -113,6 +115,7 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
   };
   int ends[2] = {};
   if (pipe(ends) != 0) refuse();
+  fcntl(ends[0], F_SETPIPE_SZ, pipe_size);  // only for speed: where it is not allowed, the usual size remains
   const pid_t child = fork();
   if (child < 0) {
     close(ends[0]);

@@ -213,20 +213,22 @@ Mesh read_exodus(const std::filesystem::path& file) {
   const NetcdfHeader header = read_netcdf_header(file);
   check_header(header, errors);
 
-  constexpr char good = 'm', bad = 'e';
-  const auto read = [&]() -> std::string {
+  constexpr char good = 'm', bad = 'e';  // at the end, where it moves nothing
+  const auto read = [&] {
     try {
-      return good + bytes_of(read_by_library(file));
+      return bytes_of(read_by_library(file)) += good;
     } catch (const MeshError& error) {
-      return bad + std::string(error.what());
+      return std::string(error.what()) += bad;
     }
   };
-  const ChildResult result = run_in_child(read, limits_for(header.n_bytes));
+  ChildResult result = run_in_child(read, limits_for(header.n_bytes));
   if (!result.failure.empty())
     errors.add("M04", fmt::format("the mesh library fails on it ({}): the file is damaged", result.failure));
   errors.throw_if_any();
-  if (result.bytes.at(0) == bad) throw MeshError(result.bytes.substr(1));
-  Mesh mesh = mesh_of(result.bytes.substr(1));
+  const char outcome = result.bytes.at(result.bytes.size() - 1);
+  result.bytes.pop_back();
+  if (outcome == bad) throw MeshError(result.bytes);
+  Mesh mesh = mesh_of(result.bytes);
   check_mesh(mesh);
   return mesh;
 }

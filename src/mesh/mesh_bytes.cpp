@@ -11,6 +11,7 @@ namespace {
 
 class Packer {
  public:
+  explicit Packer(std::size_t expected_size) { bytes_.reserve(expected_size); }
   template <class Number>
   void number(Number& n) {
     bytes_.append(reinterpret_cast<const char*>(&n), sizeof n);
@@ -110,7 +111,10 @@ void members(Archive& archive, Mesh& mesh) {
 }  // namespace
 
 std::string bytes_of(const Mesh& mesh) {
-  Packer packer;
+  // Nearly all of it is nodes and elements; sets find room in the rest.
+  const std::size_t n = mesh.coordinates.size() * (sizeof(Point) + sizeof(std::int64_t)) +
+                        mesh.element_numbers.size() * (sizeof(mesh.blocks[0].elements[0]) + sizeof(std::int64_t));
+  Packer packer(n + n / 8);
   members(packer, const_cast<Mesh&>(mesh));  // the packer only reads
   return std::move(packer).bytes();
 }

@@ -1,7 +1,6 @@
 #include "output/run_folder.hpp"
 
 #include <fmt/format.h>
-#include <openssl/evp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "sha256.hpp"
 #include "time/march.hpp"
 
 namespace mortise {
@@ -42,22 +42,6 @@ void prepare_run_folder(const fs::path& folder, bool overwrite) {
   }
   fs::create_directories(folder, failure);
   if (failure) refuse("cannot be made: " + failure.message());
-}
-
-std::string sha256(const std::string& text) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int length = 0;
-  EVP_Digest(text.data(), text.size(), digest, &length, EVP_sha256(), nullptr);
-  std::string hex;
-  for (unsigned int k = 0; k < length; ++k) hex += fmt::format("{:02x}", digest[k]);
-  return hex;
-}
-
-std::string sha256_of_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw FileError(fmt::format("{}: error[I01] cannot be read", file.string()));
-  return sha256(text);
 }
 
 std::string manifest(const Deck& deck, const StepProblem& problem, const std::string& linear_solver) {

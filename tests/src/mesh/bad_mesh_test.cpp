@@ -51,6 +51,7 @@ const Fault faults[] = {
      {"M14", "element 2", "twice"}},
     {"CoordinateNotANumber", [](Mesh& m) { m.coordinates[4][1] = std::nan(""); }, {"M16", "1 node", "node 5", "nan"}},
     {"CoordinateInfinite", [](Mesh& m) { m.coordinates[4][1] = -INFINITY; }, {"M16", "node 5", "-inf"}},
+    {"CoordinateTooLarge", [](Mesh& m) { m.coordinates[4][1] = 1e300; }, {"M18", "1 node", "node 5", "1e+300", "at most 1e+100"}},
     {"OrphanNodes",
      [](Mesh& m) {
        for (int i = 0; i < 7; ++i) m.coordinates.push_back({5, 5, 5}), m.node_numbers.push_back(101 + i);
@@ -77,6 +78,9 @@ const Fault faults[] = {
     {"NodeNumberZero", [](Mesh& m) { m.node_numbers[3] = 0; }, {"M24", "entry 4 is 0", "positive"}},
     {"ElementNumberTwice", [](Mesh& m) { m.element_numbers[1] = 1; }, {"M25", "element number map", "first: 1"}},
     {"NameTwice", [](Mesh& m) { m.side_sets[1].name = "left"; }, {"M26", "side set 2 \"left\"", "unique"}},
+    {"NegativeId", [](Mesh& m) { m.side_sets[1].id = -2; }, {"M27", "side set -2 \"right\"", "negative"}},
+    {"NameWithControlCharacter", [](Mesh& m) { m.node_sets[1].name = "ri\aght"; }, {"M28", "node set 2 \"ri?ght\""}},
+    {"NameNotUtf8", [](Mesh& m) { m.blocks[0].name = "f\xfcr"; }, {"M28", "block 1 \"f?r\"", "UTF-8"}},
     {"EmptySideSet", [](Mesh& m) { m.side_sets[4].sides.clear(); }, {"M31", "side set 5 \"bottom\" is empty"}},
     {"EmptyNodeSet", [](Mesh& m) { m.node_sets[4].nodes.clear(); }, {"M31", "node set 5 \"bottom\" is empty"}},
     {"ElementOfASideOutOfRange",

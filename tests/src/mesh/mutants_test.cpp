@@ -92,19 +92,22 @@ void expect_mutants_refused_or_sound(const Mesh& original, const std::string& ma
       ++counts.refused;
       if (std::string(error.what()).find("the mesh library fails") != std::string::npos) {
         ++counts.library_failed;
-        std::cout << mutant.kind << ' ' << mutant.what << ": " << std::string(error.what()).substr(error.what() == nullptr ? 0 : 0)
-                  << '\n';
+        std::cout << mutant.kind << ' ' << mutant.what << ": "
+                  << std::string(error.what()).substr(error.what() == nullptr ? 0 : 0) << '\n';
       }
     }
     const double seconds = processor_seconds() - begin;
     counts.slowest = std::max(counts.slowest, seconds);
     EXPECT_LE(seconds, 2.0) << mutant.kind << ' ' << mutant.what;
   }
-  std::cout << file.size() << " bytes\nkind        mutants  refused (library failed)  accepted: changed  unchanged  slowest [s]\n";
+  std::cout << file.size()
+            << " bytes\nkind        mutants  refused (library failed)  accepted: changed  unchanged  slowest [s]\n";
   for (const auto& [kind, n] : table) {
     std::printf("%-11s %7d %8d %16d %18d %10d %12.3f\n", kind.c_str(), n.refused + n.changed + n.unchanged, n.refused,
                 n.library_failed, n.changed, n.unchanged, n.slowest);
-    testing::Test::RecordProperty(kind == "4 bytes" ? "four_bytes_refused" : kind == "bit flip" ? "bit_flip_refused" : kind + "_refused",
+    testing::Test::RecordProperty(kind == "4 bytes"    ? "four_bytes_refused"
+                                  : kind == "bit flip" ? "bit_flip_refused"
+                                                       : kind + "_refused",
                                   n.refused);
   }
 }
