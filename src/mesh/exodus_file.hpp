@@ -34,7 +34,8 @@ class ExodusFile {
 /// What went wrong in the last call of the library: `No such file or directory`, `id not found`.
 std::string exodus_reason();
 
-/// Opens an existing file for reading, with 64-bit integers in all calls; the id is negative if that failed.
+/// Opens an existing file for reading, with 64-bit integers in all calls; the id is negative if that failed. About files that
+/// netCDF cannot open the library prints to stderr whatever its options say: to be called where nobody sees that.
 ExodusFile open_exodus(const std::filesystem::path& file);
 
 /// Creates a file and writes the mesh into it: nodes, blocks, sets, names, number maps, title, QA record.
