@@ -9,12 +9,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <vector>
 
 #include "errors.hpp"
 
@@ -84,7 +84,7 @@ bool write_all(int pipe, const std::string& bytes) {
 
 /// Reads until the other end is closed. @return false if the deadline comes first
 bool read_all(int pipe, std::string& bytes, std::chrono::steady_clock::time_point deadline) {
-  std::vector<char> buffer(pipe_size);
+  std::array<char, 65536> buffer;  // left as it is: each page that is written here after the fork costs a copy
   for (;;) {
     const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - std::chrono::steady_clock::now()).count();
     if (left <= 0) return false;

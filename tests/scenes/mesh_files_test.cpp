@@ -66,24 +66,14 @@ TEST_F(MeshFile, DamagedIsToldOnceByAllRanks) {
     expect_refused(run_mortise(folder, "check damaged.e", ranks), 3, {"damaged.e: error[M04]", "truncated"});
 }
 
-/// Damages a netCDF-4 file in its heaps, word by word, until the library crashes on it. @return whether it did
-bool damage_until_library_fails(const std::filesystem::path& file) {
-  const std::string whole = text_of(file);
-  for (std::size_t at = whole.find("FHDB") + 4; at + 4 < whole.size(); at += 4) {
-    std::ofstream(file, std::ios::binary) << std::string(whole).replace(at, 4, "\xff\xff\xff\xff");
-    try {
-      read_exodus(file);
-    } catch (const MeshError& error) {
-      if (std::string(error.what()).find("the mesh library fails on it (signal") != std::string::npos) return true;
-    }
-  }
-  return false;
-}
-
+// The first object of the global heap of HDF5 is said to be larger than all memory: the library believes it, and crashes.
 TEST_F(MeshFile, ThatMakesTheLibraryCrashIsToldOnceByAllRanks) {
   mesh.node_numbers[3] = 5'000'000'000;  // needs 64 bits, and so netCDF-4
   write_mesh();
-  ASSERT_TRUE(damage_until_library_fails(folder / "lower.e"));
+  const std::string whole = text_of(folder / "lower.e");
+  const std::size_t heap = whole.find("GCOL");
+  ASSERT_NE(heap, std::string::npos);
+  folder.write("lower.e", std::string(whole).replace(heap + 28, 4, "\xff\xff\xff\xff"));
   for (int ranks : {1, 2})
     expect_refused(run(deck(), "check", ranks), 3, {"lower.e: error[M04] the mesh library fails on it (signal", "is damaged"});
 }

@@ -18,8 +18,15 @@
 namespace mortise {
 namespace {
 
+/// A file cut to `length`, and a word or bit of it replaced.
 struct Mutant {
-  std::string kind, bytes, what;
+  std::string kind;
+  std::size_t length;
+  std::size_t at = 0;
+  std::string bytes = "";
+
+  std::string of(const std::string& file) const { return file.substr(0, length).replace(at, bytes.size(), bytes); }
+  std::string what() const { return fmt::format("{} at byte {}, length {}", kind, at, length); }
 };
 
 /// Truncations of every class of length, among them by one byte; 210 flipped bits; 210 overwritten words. Long: ten times as
@@ -29,24 +36,21 @@ std::vector<Mutant> mutants_of(const std::string& file, unsigned seed) {
   const int n_each = std::getenv("MORTISE_LONG") != nullptr ? 2100 : 210;
   const auto any = [&](std::size_t n) { return static_cast<std::size_t>(random.in(0, static_cast<double>(n))); };
   std::vector<Mutant> all;
-  const auto cut = [&](std::size_t n) { all.push_back({"truncation", file.substr(0, n), fmt::format("to {} bytes", n)}); };
+  const auto cut = [&](std::size_t n) { all.push_back({"truncation", n}); };
   for (std::size_t n = 0; n < 64; ++n) cut(n);
   for (std::size_t n = 1; n <= 64; ++n) cut(file.size() - n);
   for (std::size_t n = 64; n < file.size(); n *= 2) cut(n);
   for (int i = 0; i < n_each; ++i) cut(any(file.size()));
 
   for (int i = 0; i < n_each; ++i) {
-    const std::size_t at = any(file.size()), bit = any(8);
-    all.push_back({"bit flip", file, fmt::format("bit {} of byte {}", bit, at)});
-    all.back().bytes[at] = static_cast<char>(all.back().bytes[at] ^ 1 << bit);
+    const std::size_t at = any(file.size());
+    all.push_back({"bit flip", file.size(), at, std::string(1, static_cast<char>(file[at] ^ 1 << any(8)))});
   }
   for (int i = 0; i < n_each; ++i) {
     const std::uint32_t words[] = {0, 0xFFFFFFFF, INT_MAX, 1, static_cast<std::uint32_t>(any(UINT_MAX))};
-    const std::uint32_t word = words[i % 5];
-    const std::size_t at = 4 * any(file.size() / 4);
-    all.push_back({"4 bytes", file, fmt::format("bytes from {} by {}", at, word)});
-    for (std::size_t k = 0; k < 4; ++k)  // the most significant first, as netCDF classic stores it
-      all.back().bytes[at + k] = static_cast<char>(word >> (24 - 8 * k));
+    std::string word;  // the most significant byte first, as netCDF classic stores it
+    for (int shift : {24, 16, 8, 0}) word += static_cast<char>(words[i % 5] >> shift);
+    all.push_back({"4 bytes", file.size(), 4 * any(file.size() / 4), word});
   }
   return all;
 }
@@ -85,24 +89,24 @@ void expect_mutants_refused_or_sound(const Mesh& original, const std::string& ma
   const std::vector<Mutant> mutants = mutants_of(file, seed);
   EXPECT_GE(mutants.size(), 750U);
   for (const Mutant& mutant : mutants) {
-    folder.write("mutant.e", mutant.bytes);
+    folder.write("mutant.e", mutant.of(file));
     Counts& counts = table[mutant.kind];
     const double begin = processor_seconds();
     try {
       const Mesh mesh = read_exodus(folder / "mutant.e");
-      EXPECT_NO_THROW(check_mesh(mesh)) << mutant.kind << ' ' << mutant.what;
-      EXPECT_NE(mutant.kind, "truncation") << mutant.what << " is accepted";
+      EXPECT_NO_THROW(check_mesh(mesh)) << mutant.what();
+      EXPECT_NE(mutant.kind, "truncation") << mutant.what() << " is accepted";
       ++(content(mesh) == whole ? counts.unchanged : counts.changed);
     } catch (const MeshError& error) {
       ++counts.refused;
       const std::string text = error.what();
       counts.crashed += text.find("the mesh library fails on it (signal") != std::string::npos;
       counts.ended += text.find("the mesh library fails on it (more than") != std::string::npos;
-      EXPECT_EQ(text.find("no answer"), std::string::npos) << mutant.kind << ' ' << mutant.what;
+      EXPECT_EQ(text.find("no answer"), std::string::npos) << mutant.what();
     }
     const double seconds = processor_seconds() - begin;
     counts.slowest = std::max(counts.slowest, seconds);
-    EXPECT_LE(seconds, 2.0) << mutant.kind << ' ' << mutant.what;
+    EXPECT_LE(seconds, 2.0) << mutant.what();
   }
 
   fmt::print("{} bytes     mutants  refused, by a crash, by a limit  accepted: changed, unchanged  slowest\n", file.size());
