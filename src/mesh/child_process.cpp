@@ -34,12 +34,13 @@ constexpr int pipe_size = 1 << 20;  // the most that Linux allows everybody [byt
 
 enum ChildExit { ended_well = 0, threw = 1, out_of_memory = 2 };
 
-void limit(int resource, rlim_t soft, rlim_t hard) {
+template <class Resource>
+void limit(Resource resource, rlim_t soft, rlim_t hard) {
   rlimit limits{};
-  getrlimit(static_cast<__rlimit_resource>(resource), &limits);
+  getrlimit(resource, &limits);
   limits.rlim_cur = std::min(soft, limits.rlim_max);
   limits.rlim_max = std::min(hard, limits.rlim_max);
-  setrlimit(static_cast<__rlimit_resource>(resource), &limits);
+  setrlimit(resource, &limits);
 }
 
 /// Address space of this process [bytes].
@@ -49,9 +50,11 @@ std::uint64_t address_space() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-/// Whatever the surroundings do on signals (MPI prints a backtrace), the child just ends by them.
+/// Whatever the surroundings do on a crash (MPI prints a backtrace), the child just ends by it. A request to stop goes to all
+/// processes at the terminal; it is the parent's to answer.
 void prepare_child(const ChildLimits& limits) {
-  for (int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGXCPU}) ::signal(signal, SIG_DFL);
+  for (int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) signal(crash, SIG_DFL);
+  for (int request : {SIGINT, SIGTERM}) signal(request, SIG_IGN);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -98,9 +101,9 @@ bool read_all(int pipe, std::string& bytes, std::chrono::steady_clock::time_poin
 
 std::string failure_of(int status, const ChildLimits& limits) {
   if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGXCPU) return fmt::format("more than {} s of processor time", limits.processor_seconds);
-    return fmt::format("signal {}, {}", signal, strsignal(signal));
+    const int cause = WTERMSIG(status);
+    if (cause == SIGXCPU) return fmt::format("more than {} s of processor time", limits.processor_seconds);
+    return fmt::format("signal {}, {}", cause, strsignal(cause));
   }
   const int code = WEXITSTATUS(status);
   if (code == out_of_memory) return fmt::format("more than {} MB of memory", limits.memory >> 20);
@@ -115,7 +118,8 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
   };
   int ends[2] = {};
   if (pipe(ends) != 0) refuse();
-  fcntl(ends[0], F_SETPIPE_SZ, pipe_size);  // only for speed: where it is not allowed, the usual size remains
+  fcntl(ends[0], F_SETPIPE_SZ, pipe_size);             // only for speed: where it is not allowed, the usual size remains
+  const auto on_child_end = signal(SIGCHLD, SIG_DFL);  // where a launcher has it ignored, no end could be waited for
   const pid_t child = fork();
   if (child < 0) {
     close(ends[0]);
@@ -134,6 +138,7 @@ ChildResult run_in_child(const std::function<std::string()>& work, const ChildLi
   close(ends[0]);
   int status = 0;
   while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  signal(SIGCHLD, on_child_end);
   result.failure = in_time ? failure_of(status, limits) : fmt::format("no answer within {} s", limits.wall_seconds);
   return result;
 }

@@ -60,6 +60,18 @@ TEST(ChildProcess, ThatTakesTooMuchMemoryIsAnAnswer) {
 }
 #endif
 
+TEST(ChildProcess, IsSeenToEndWhereEndsAreIgnored) {
+  const auto before = signal(SIGCHLD, SIG_IGN);
+  EXPECT_EQ(run_in_child([]() -> std::string { return raise(SIGSEGV), ""; }, limits).failure.find("signal 11"), 0U);
+  EXPECT_EQ(run_in_child([] { return std::string("good"); }, limits).failure, "");
+  EXPECT_EQ(signal(SIGCHLD, before), SIG_IGN) << "what the surroundings had set is back";
+}
+
+TEST(ChildProcess, LeavesRequestsToStopToItsParent) {
+  const auto interrupted = []() -> std::string { return raise(SIGINT), raise(SIGTERM), "finished"; };
+  EXPECT_EQ(run_in_child(interrupted, limits).bytes, "finished");
+}
+
 TEST(ChildProcess, PrintsNothing) {
   testing::internal::CaptureStdout();
   testing::internal::CaptureStderr();
