@@ -113,18 +113,20 @@ std::string failure_of(int status, const ChildLimits& limits) {
 }  // namespace
 
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits) {
-  const auto refuse = [] {
-    throw UserError(ExitCode::resources, fmt::format("error[R02] no process can be started: {}", std::strerror(errno)));
+  const auto refuse = [](int cause) {
+    throw UserError(ExitCode::resources, fmt::format("error[R02] no process can be started: {}", std::strerror(cause)));
   };
   int ends[2] = {};
-  if (pipe(ends) != 0) refuse();
+  if (pipe(ends) != 0) refuse(errno);
   fcntl(ends[0], F_SETPIPE_SZ, pipe_size);             // only for speed: where it is not allowed, the usual size remains
   const auto on_child_end = signal(SIGCHLD, SIG_DFL);  // where a launcher has it ignored, no end could be waited for
   const pid_t child = fork();
   if (child < 0) {
+    const int cause = errno;
+    signal(SIGCHLD, on_child_end);
     close(ends[0]);
     close(ends[1]);
-    refuse();
+    refuse(cause);
   }
   if (child == 0) {
     close(ends[0]);
