@@ -215,11 +215,15 @@ Mesh read_exodus(const std::filesystem::path& file) {
 
   constexpr char good = 'm', bad = 'e';  // at the end, where it moves nothing
   const auto read = [&] {
+    std::string answer;
     try {
-      return bytes_of(read_by_library(file)) += good;
+      answer = bytes_of(read_by_library(file));
+      answer += good;
     } catch (const MeshError& error) {
-      return std::string(error.what()) += bad;
+      answer = error.what();
+      answer += bad;
     }
+    return answer;
   };
   ChildResult result = run_in_child(read, limits_for(header.n_bytes));
   if (!result.failure.empty())

@@ -1,5 +1,6 @@
 // Meshes that must be refused, each with its code and its words.
 #include <exodusII.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <functional>
@@ -200,6 +201,24 @@ TEST(ForeignFiles, CutAnywhereAreRefused) {
   }
   std::filesystem::resize_file(folder / "whole.e", bytes.size() - 40);
   expect_words(mesh_error_of([&] { read_exodus(folder / "whole.e"); }), {"M04", "requires", "truncated"});
+}
+
+TEST(ForeignFiles, LongerThanTheirHeaderSaysAreRefused) {
+  const ScratchFolder folder;
+  write_exodus(two_hexes(), folder / "long.e", "two hexes");
+  std::ofstream(folder / "long.e", std::ios::binary | std::ios::app) << "more";
+  expect_words(mesh_error_of([&] { read_exodus(folder / "long.e"); }), {"M04", "its header describes"});
+}
+
+TEST(ForeignFiles, ThatWouldHoldTheReaderUpAreRefused) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.e").c_str(), 0600), 0);
+  try {
+    read_exodus(folder / "pipe.e");
+    ADD_FAILURE() << "a pipe is read";
+  } catch (const FileError& error) {
+    expect_words(error.what(), {"I01", "no regular file"});
+  }
 }
 
 }  // namespace
