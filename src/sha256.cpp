@@ -40,15 +40,18 @@ std::string sha256(const std::string& text) {
 }
 
 std::string sha256_of_file(const std::filesystem::path& file) {
+  const auto refuse = [&](const std::string& reason) {
+    throw FileError(fmt::format("{}: error[I01] cannot be read{}", file.string(), reason));
+  };
   std::error_code status;
+  if (!std::filesystem::is_regular_file(file, status)) refuse(status ? ": " + status.message() : ": it is no regular file");
   std::ifstream in(file, std::ios::binary);
-  if (!std::filesystem::is_regular_file(file, status) || !in)
-    throw FileError(fmt::format("{}: error[I01] cannot be read{}", file.string(), status ? ": " + status.message() : ""));
+  if (!in) refuse("");
   Digest digest;
   std::vector<char> buffer(1 << 20);
   while (in.read(buffer.data(), static_cast<std::streamsize>(buffer.size())) || in.gcount() > 0)
     digest.add(buffer.data(), static_cast<std::size_t>(in.gcount()));
-  if (in.bad()) throw FileError(fmt::format("{}: error[I01] cannot be read", file.string()));
+  if (in.bad()) refuse("");
   return digest.hexadecimal();
 }
 
