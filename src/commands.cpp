@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "mesh/exodus.hpp"
+#include "mesh/suspicions.hpp"
 #include "output/run_folder.hpp"
 #include "setup.hpp"
 #include "solve/linear_solver.hpp"
@@ -25,6 +26,7 @@ ExitCode check_command(const fs::path& file, const RCP<const Comm>& comm) {
       std::cout << fmt::format("  side set {} \"{}\": {} sides\n", set.id, set.name, set.sides.size());
     for (const auto& set : mesh.node_sets)
       std::cout << fmt::format("  node set {} \"{}\": {} nodes\n", set.id, set.name, set.nodes.size());
+    for (const auto& warning : mesh_warnings(mesh)) std::cout << "warning: " << warning << '\n';
     std::cout << "the mesh is usable\n";
     return ExitCode::done;
   }

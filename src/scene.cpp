@@ -7,8 +7,11 @@
 #include <map>
 
 #include "errors.hpp"
+#include "mesh/contact_sides.hpp"
+#include "mesh/suspicions.hpp"
 #include "physics/elements/hex8.hpp"
 #include "physics/traction.hpp"
+#include "sha256.hpp"
 
 namespace mortise {
 namespace {
@@ -40,7 +43,7 @@ class SceneMaker {
 
   Scene make() {
     std::vector<std::pair<std::string, Mesh>> meshes;
-    for (const auto& [name, mesh] : options_.meshes) meshes.emplace_back(name, make_mesh(mesh, deck_.file().parent_path()));
+    for (const auto& [name, mesh] : options_.meshes) meshes.emplace_back(name, checked_mesh(name, mesh));
     scene_.title = options_.title;
     scene_.mesh = combine(meshes);
     scene_.time = options_.time;
@@ -65,6 +68,21 @@ class SceneMaker {
   }
   void stop_at_errors() const {
     if (!errors_.empty()) throw DeckError(errors_);
+    if (!mesh_errors_.empty()) throw MeshError(mesh_errors_);
+  }
+
+  Mesh checked_mesh(const std::string& name, const MeshOptions& o) {
+    const auto folder = deck_.file().parent_path();
+    if (o.sha256) {
+      const std::string found = sha256_of_file(folder / *o.file);
+      if (found != *o.sha256)
+        throw MeshError(deck_.error("M07", {"meshes", name, "sha256"},
+                                    fmt::format("\"{}\" is another file than the deck means: its sha256 is {}, the deck's {}",
+                                                *o.file, found, *o.sha256)));
+    }
+    Mesh mesh = make_mesh(o, folder);
+    for (const auto& warning : mesh_warnings(mesh)) warnings_.push_back(fmt::format("meshes > {}: {}", name, warning));
+    return mesh;
   }
 
   std::string known_sets(const std::string& name) const {
@@ -210,6 +228,12 @@ class SceneMaker {
     }
   }
 
+  bool is_contact_surface(const SideSet& sides, const Path& path) {
+    const auto faults = contact_surface_faults(scene_.mesh, sides);
+    for (const auto& fault : faults) mesh_errors_.push_back(deck_.error(fault.code, path, fault.text));
+    return faults.empty();
+  }
+
   void make_pairs() {
     const Mesh& mesh = scene_.mesh.mesh;
     std::map<int, std::string> secondary_of;
@@ -217,6 +241,8 @@ class SceneMaker {
       const auto* secondary = sides_of(o.secondary, {"contact", name, "secondary"});
       const auto* primary = sides_of(o.primary, {"contact", name, "primary"});
       if (!secondary || !primary) continue;
+      const bool is_sound = is_contact_surface(*secondary, {"contact", name, "secondary"});
+      if (!is_contact_surface(*primary, {"contact", name, "primary"}) || !is_sound) continue;
       ContactPair pair;
       pair.name = name;
       pair.where_penetrating = deck_.error("M51", {"contact", name}, "");
@@ -328,7 +354,7 @@ class SceneMaker {
   const Deck& deck_;
   const DeckOptions& options_;
   std::vector<std::string>& warnings_;
-  std::vector<std::string> errors_;
+  std::vector<std::string> errors_, mesh_errors_;
   Scene scene_;
 };
 

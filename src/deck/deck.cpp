@@ -37,7 +37,14 @@ void throw_if_any(std::vector<DeckProblem> problems) {
 }  // namespace
 
 Deck Deck::read(const std::filesystem::path& file) {
-  const auto source = std::make_shared<const DeckSource>(DeckSource::read(file));
+  return from_source(file, std::make_shared<const DeckSource>(DeckSource::read(file)));
+}
+
+Deck Deck::from_text(const std::filesystem::path& file, std::string text) {
+  return from_source(file, std::make_shared<const DeckSource>(file, std::move(text)));
+}
+
+Deck Deck::from_source(const std::filesystem::path& file, std::shared_ptr<const DeckSource> source) {
   Findings findings;
   findings.problems = source->problems();
   DeckOptions options;

@@ -20,6 +20,9 @@ class Deck {
   ///         FileError when the file cannot be read
   static Deck read(const std::filesystem::path& file);
 
+  /// The same from text. @param file the name used in messages, and the folder that paths are relative to
+  static Deck from_text(const std::filesystem::path& file, std::string text);
+
   const DeckOptions& options() const { return options_; }
   const std::filesystem::path& file() const { return file_; }
 
@@ -31,6 +34,7 @@ class Deck {
   std::string error(const std::string& code, const std::vector<std::string>& path, const std::string& what) const;
 
  private:
+  static Deck from_source(const std::filesystem::path& file, std::shared_ptr<const DeckSource> source);
   Deck(std::filesystem::path file, std::shared_ptr<const DeckSource> source, DeckOptions options);
   std::filesystem::path file_;
   std::shared_ptr<const DeckSource> source_;

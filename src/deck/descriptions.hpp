@@ -14,6 +14,10 @@ inline bool is_strictly_ascending(const std::vector<double>& values) {
   return std::adjacent_find(values.begin(), values.end(), std::greater_equal<double>()) == values.end();
 }
 
+inline bool is_sha256(const std::string& text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
 /// What makes a mesh from a recipe, and where a mesh is placed.
 template <class Fields>
 void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
@@ -37,6 +41,9 @@ void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
 template <class Fields>
 void describe(Fields& f, MeshOptions& o) {
   f.optional("file", o.file, anything, "", "Exodus file with the mesh; the path is relative to the deck");
+  f.optional("sha256", o.sha256, anything, "", "SHA-256 of the file, as sha256sum prints it; a file with another one is refused");
+  f.only_with({"sha256"}, "file", o.file.has_value(), "\"file\"");
+  f.rule("D08", {"sha256"}, !o.sha256 || is_sha256(*o.sha256), "must have 64 hexadecimal digits, in lower case");
   describe_recipe(f, o, Presence::optional);
   f.exactly_one_of({"file", "recipe"});
 }

@@ -16,6 +16,7 @@ using Named = std::vector<std::pair<std::string, Options>>;
 /// One mesh: a file or a recipe, and where it is placed.
 struct MeshOptions {
   std::optional<std::string> file;    ///< path relative to the deck
+  std::optional<std::string> sha256;  ///< of the file, in lower case; compared before the file is opened
   std::optional<std::string> recipe;  ///< "block" or "graded block"
   std::array<double, 3> size{1, 1, 1};
   std::array<int, 3> elements{1, 1, 1};

@@ -8,34 +8,13 @@
 
 #include "deck/numbers.hpp"
 #include "errors.hpp"
+#include "utf8.hpp"
 
 namespace mortise {
 
 namespace {
 
 const std::vector<std::string> parameter_types{"string", "double", "int", "bool", "Array(double)", "Array(int)", "Array(string)"};
-
-/// Offset of the first byte that is not UTF-8 (nor is there a NUL in UTF-8 text), or npos.
-std::size_t first_bad_byte(const std::string& text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = static_cast<unsigned char>(text[i]);
-    std::size_t following = 0;
-    if (byte >= 0xF0 && byte < 0xF5) {
-      following = 3;
-    } else if (byte >= 0xE0 && byte < 0xF0) {
-      following = 2;
-    } else if (byte >= 0xC2 && byte < 0xE0) {
-      following = 1;
-    } else if (byte == 0 || byte >= 0x80) {
-      return i;
-    }
-    for (std::size_t k = 1; k <= following; ++k) {
-      if (i + k >= text.size() || (static_cast<unsigned char>(text[i + k]) & 0xC0u) != 0x80u) return i;
-    }
-    i += following + 1;
-  }
-  return std::string::npos;
-}
 
 /// Walks the document once; positions come from pugixml's offsets, which point behind the `<`.
 class TreeBuilder {

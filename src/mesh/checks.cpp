@@ -9,6 +9,7 @@
 #include <set>
 
 #include "errors.hpp"
+#include "utf8.hpp"
 
 namespace mortise {
 
@@ -17,7 +18,7 @@ namespace {
 using Element = std::array<int, 8>;
 
 std::string name_of(const char* kind, std::int64_t id, const std::string& name) {
-  return name.empty() ? fmt::format("{} {}", kind, id) : fmt::format("{} {} \"{}\"", kind, id, name);
+  return name.empty() ? fmt::format("{} {}", kind, id) : fmt::format("{} {} \"{}\"", kind, id, printable(name));
 }
 
 /// `1 node` or `3 nodes`.
@@ -33,6 +34,13 @@ struct Offenders {
 };
 
 bool finite(const Point& x) { return std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]); }
+
+constexpr double largest_coordinate = 1e100;  ///< the product of three lengths must not overflow
+
+/// Finite, and not so large that volumes overflow.
+bool usable(const Point& x) {
+  return std::all_of(x.begin(), x.end(), [](double x_i) { return std::abs(x_i) <= largest_coordinate; });
+}
 
 bool has_all_nodes(const Mesh& mesh, const Element& element) {
   return std::all_of(element.begin(), element.end(), [&](int a) { return a >= 0 && a < n_nodes(mesh); });
@@ -75,12 +83,7 @@ LeastJacobian least_jacobian(const Mesh& mesh, const Element& element) {
   std::array<Point, 8> X{};
   for (std::size_t a = 0; a < 8; ++a) X[a] = mesh.coordinates[static_cast<std::size_t>(element[a])];
 
-  constexpr std::array<std::array<std::size_t, 2>, 12> edges{
-      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
-  double longest = 0;
-  for (const auto& [a, b] : edges)
-    longest = std::max(longest, std::hypot(X[b][0] - X[a][0], X[b][1] - X[a][1], X[b][2] - X[a][2]));
-
+  const double longest = longest_edge(mesh, element);
   LeastJacobian least{0, 0, longest * longest * longest / 8};
   for (std::size_t g = 0; g < 8; ++g) {
     double d[3][3] = {};  // dX_i/dxi_j; relative to the first corner, so that a mesh far from the origin loses no digits
@@ -98,13 +101,23 @@ LeastJacobian least_jacobian(const Mesh& mesh, const Element& element) {
 }
 
 void check_coordinates(const Mesh& mesh, MeshErrors& errors) {
-  Offenders bad;
-  for (std::size_t a = 0; a < mesh.coordinates.size(); ++a)
-    if (!finite(mesh.coordinates[a])) bad.note(a);
-  if (bad.n == 0) return;
-  const Point& x = mesh.coordinates[bad.first];
-  errors.add("M16", fmt::format("{} with coordinates that are not finite (first: node {}, ({}, {}, {}))", count_of(bad.n, "node"),
-                                mesh.node_numbers[bad.first], x[0], x[1], x[2]));
+  Offenders not_finite, too_large;
+  for (std::size_t a = 0; a < mesh.coordinates.size(); ++a) {
+    const Point& x = mesh.coordinates[a];
+    if (!finite(x)) {
+      not_finite.note(a);
+    } else if (!usable(x)) {
+      too_large.note(a);
+    }
+  }
+  const auto report = [&](const char* code, const Offenders& bad, const std::string& what) {
+    if (bad.n == 0) return;
+    const Point& x = mesh.coordinates[bad.first];
+    errors.add(code, fmt::format("{} with coordinates that are {} (first: node {}, ({}, {}, {}))", count_of(bad.n, "node"), what,
+                                 mesh.node_numbers[bad.first], x[0], x[1], x[2]));
+  };
+  report("M16", not_finite, "not finite");
+  report("M18", too_large, fmt::format("too large - at most {:g}, or volumes overflow", largest_coordinate));
 }
 
 /// Elements of one block; `first` is the index of its first element over all blocks. Says whether the connectivity is sound.
@@ -118,7 +131,7 @@ bool check_block(const Mesh& mesh, const Block& block, std::size_t first, MeshEr
     } else if (has_a_node_twice(element)) {
       repeated.note(e);
     } else if (std::all_of(element.begin(), element.end(),
-                           [&](int a) { return finite(mesh.coordinates[static_cast<std::size_t>(a)]); })) {
+                           [&](int a) { return usable(mesh.coordinates[static_cast<std::size_t>(a)]); })) {
       const LeastJacobian least = least_jacobian(mesh, element);
       if (least.value > 1e-14 * least.scale) continue;  // below that the determinant is round-off of a flat element
       if (inverted.n == 0) first_inverted = least;
@@ -186,6 +199,9 @@ void check_names(const std::vector<Entity>& entities, MeshErrors& errors) {
   std::set<std::int64_t> ids;
   std::set<std::string> names;
   for (const Entity& entity : entities) {
+    if (entity.id < 0) errors.add("M27", fmt::format("{}: the id is negative", describe(entity)));
+    if (entity.name != printable(entity.name))
+      errors.add("M28", fmt::format("{}: the name is not UTF-8 text, or has control characters (shown as ?)", describe(entity)));
     if (!ids.insert(entity.id).second)
       errors.add("M26", fmt::format("{}: the id stands twice - ids are unique", describe(entity)));
     if (!entity.name.empty() && !names.insert(entity.name).second)

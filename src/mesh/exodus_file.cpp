@@ -37,11 +37,6 @@ std::string exodus_reason() {
 
 ExodusFile open_exodus(const std::filesystem::path& file, ExodusAccess access) {
   ex_opts(EX_DEFAULT);
-  // ex_open prints about files that netCDF cannot open, whatever its options say, so netCDF is asked first.
-  int netcdf = 0;
-  exerrval = nc_open(file.c_str(), NC_NOWRITE, &netcdf);
-  if (exerrval != NC_NOERR) return ExodusFile();
-  nc_close(netcdf);
   int memory_word = sizeof(double), file_word = 0;
   float version = 0;
   const int mode = access == ExodusAccess::write ? EX_WRITE : EX_READ;

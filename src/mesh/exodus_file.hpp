@@ -36,7 +36,8 @@ std::string exodus_reason();
 
 enum class ExodusAccess { read, write };
 
-/// Opens an existing file, with 64-bit integers in all calls; the id is negative if that failed.
+/// Opens an existing file, with 64-bit integers in all calls; the id is negative if that failed. About files that netCDF cannot
+/// open the library prints to stderr whatever its options say: to be called where nobody sees that.
 ExodusFile open_exodus(const std::filesystem::path& file, ExodusAccess access = ExodusAccess::read);
 
 /// Creates a file and writes the mesh into it: nodes, blocks, sets, names, number maps, title, QA record.

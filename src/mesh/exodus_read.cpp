@@ -1,4 +1,5 @@
-// Reading an Exodus file into a mesh: nothing is believed before it is checked.
+// Reading an Exodus file into a mesh: nothing is believed before it is checked. The library works in a child process, of which
+// only plain arrays come back: damaged files make it crash, hang, or write where it should not.
 #include <exodusII.h>
 #include <fmt/format.h>
 
@@ -9,8 +10,10 @@
 
 #include "errors.hpp"
 #include "mesh/checks.hpp"
+#include "mesh/child_process.hpp"
 #include "mesh/exodus.hpp"
 #include "mesh/exodus_file.hpp"
+#include "mesh/mesh_bytes.hpp"
 #include "mesh/netcdf_header.hpp"
 
 namespace mortise {
@@ -35,7 +38,6 @@ class ExodusReader {
     side_sets();
     node_sets();
     errors_.throw_if_any();
-    check_mesh(mesh_);
     return std::move(mesh_);
   }
 
@@ -102,7 +104,8 @@ class ExodusReader {
     const bool is_hex = upper == "HEX" || upper == "HEX8";
     if (is_hex && stored.num_nodes_per_entry == 8) return true;
     if (is_hex) type += fmt::format(" with {} nodes", stored.num_nodes_per_entry);
-    errors_.add("M12", fmt::format("{}: element type {} is not supported - hex8 (HEX, HEX8)", describe(block), type));
+    errors_.add("M12", fmt::format("{}: element type {} is not supported - supported: HEX8, also called HEX, with 8 nodes",
+                                   describe(block), type));
     return false;
   }
 
@@ -170,27 +173,68 @@ class ExodusReader {
   Mesh mesh_;
 };
 
-}  // namespace
-
-Mesh read_exodus(const std::filesystem::path& file) {
-  const std::string source = file.string();
-  const NetcdfHeader header = read_netcdf_header(file);
-  MeshErrors errors(source);
+/// The header must read well and promise just the bytes that the file has.
+void check_header(const NetcdfHeader& header, MeshErrors& errors) {
   if (header.kind == FileKind::other) {
     errors.add("M01", "this is not an Exodus file (neither netCDF classic nor netCDF-4)");
   } else if (!header.fault.empty()) {
     errors.add("M04", fmt::format("the netCDF header is broken or truncated: {}", header.fault));
   } else if (header.n_bytes < header.n_required) {
     errors.add("M04", fmt::format("the file has {} bytes, its header requires {}: truncated", header.n_bytes, header.n_required));
+  } else if (header.n_bytes > header.n_required) {
+    errors.add("M04", fmt::format("the file has {} bytes, its header describes {}: the header is damaged, or the file was being "
+                                  "written",
+                                  header.n_bytes, header.n_required));
   }
   errors.throw_if_any();
+}
 
+/// All that the library does for a mesh.
+/// @throws MeshError
+Mesh read_by_library(const std::filesystem::path& file) {
   const ExodusFile exodus = open_exodus(file);
-  if (exodus.id() < 0) {
-    errors.add("M01", fmt::format("this is not an Exodus file: {}", exodus_reason()));
-    errors.throw_if_any();
-  }
-  return ExodusReader(exodus.id(), source).read();
+  MeshErrors errors(file.string());
+  if (exodus.id() < 0) errors.add("M01", fmt::format("this is not an Exodus file: {}", exodus_reason()));
+  errors.throw_if_any();
+  return ExodusReader(exodus.id(), file.string()).read();
+}
+
+/// What reading an honest file of that size never needs; a damaged one is to be given up within 2 s.
+ChildLimits limits_for(std::uint64_t n_bytes) {
+  constexpr std::uint64_t slowest_disk = 10'000'000;  // bytes per second
+  const auto seconds = static_cast<unsigned>(1 + n_bytes / slowest_disk);
+  return {seconds, 30 * seconds, (std::uint64_t{2} << 30) + 100 * n_bytes};  // a hundredfold: netCDF-4 may be compressed
+}
+
+}  // namespace
+
+Mesh read_exodus(const std::filesystem::path& file) {
+  MeshErrors errors(file.string());
+  const NetcdfHeader header = read_netcdf_header(file);
+  check_header(header, errors);
+
+  constexpr char good = 'm', bad = 'e';  // at the end, where it moves nothing
+  const auto read = [&] {
+    std::string answer;
+    try {
+      answer = bytes_of(read_by_library(file));
+      answer += good;
+    } catch (const MeshError& error) {
+      answer = error.what();
+      answer += bad;
+    }
+    return answer;
+  };
+  ChildResult result = run_in_child(read, limits_for(header.n_bytes));
+  if (!result.failure.empty())
+    errors.add("M04", fmt::format("the mesh library fails on it ({}): the file is damaged", result.failure));
+  errors.throw_if_any();
+  const char outcome = result.bytes.at(result.bytes.size() - 1);
+  result.bytes.pop_back();
+  if (outcome == bad) throw MeshError(result.bytes);
+  Mesh mesh = mesh_of(result.bytes);
+  check_mesh(mesh);
+  return mesh;
 }
 
 }  // namespace mortise

@@ -1,7 +1,9 @@
-// Counting elements and naming the nodes of a side.
+// Counting elements, naming the nodes of a side, measuring an element.
 #include "mesh/mesh.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace mortise {
 
@@ -34,6 +36,18 @@ std::array<int, 4> side_nodes(const Mesh& mesh, Side side) {
   std::array<int, 4> result{};
   for (std::size_t i = 0; i < 4; ++i) result[i] = nodes[static_cast<std::size_t>(face[i])];
   return result;
+}
+
+double longest_edge(const Mesh& mesh, const std::array<int, 8>& element) {
+  constexpr std::array<std::array<std::size_t, 2>, 12> edges{
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+  double longest = 0;
+  for (const auto& [a, b] : edges) {
+    const Point &X = mesh.coordinates[static_cast<std::size_t>(element[a])],
+                &Y = mesh.coordinates[static_cast<std::size_t>(element[b])];
+    longest = std::max(longest, std::hypot(Y[0] - X[0], Y[1] - X[1], Y[2] - X[2]));
+  }
+  return longest;
 }
 
 }  // namespace mortise

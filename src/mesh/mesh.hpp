@@ -58,4 +58,7 @@ const std::array<int, 8>& element_nodes(const Mesh& mesh, int e);
 /// Nodes of one side, ordered so that the normal by the right-hand rule points out of the element.
 std::array<int, 4> side_nodes(const Mesh& mesh, Side side);
 
+/// Length of the longest of the 12 edges of an element.
+double longest_edge(const Mesh& mesh, const std::array<int, 8>& element);
+
 }  // namespace mortise

@@ -65,7 +65,8 @@ ResultsFile::ResultsFile(const std::filesystem::path& file, const Mesh& mesh, in
                          std::vector<std::string> global)
     : file_(file), n_nodes_(mortise::n_nodes(mesh)), frame_(n_frames), nodal_(std::move(nodal)), global_(std::move(global)) {
   keep_frames(file, n_frames);
-  ExodusFile exodus = open_exodus(file, ExodusAccess::write);
+  // Of a file that is no netCDF at all the library would speak for itself.
+  ExodusFile exodus = read_netcdf_header(file).kind == FileKind::other ? ExodusFile() : open_exodus(file, ExodusAccess::write);
   const auto has = [&](ex_entity_type type, const std::vector<std::string>& names) {
     int n = 0;
     return ex_get_variable_param(exodus.id(), type, &n) >= 0 && n == static_cast<int>(names.size());

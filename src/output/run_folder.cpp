@@ -2,7 +2,6 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/evp.h>
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 #include <utility>
 
 #include "output/checkpoint.hpp"
+#include "sha256.hpp"
 
 namespace mortise {
 namespace {
@@ -71,22 +71,6 @@ RunFolder::~RunFolder() {
 }
 
 RunFolder::RunFolder(RunFolder&& other) noexcept : lock_(std::exchange(other.lock_, -1)) {}
-
-std::string sha256(const std::string& text) {
-  unsigned char digest[EVP_MAX_MD_SIZE];
-  unsigned int length = 0;
-  EVP_Digest(text.data(), text.size(), digest, &length, EVP_sha256(), nullptr);
-  std::string hex;
-  for (unsigned int k = 0; k < length; ++k) hex += fmt::format("{:02x}", digest[k]);
-  return hex;
-}
-
-std::string sha256_of_file(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) throw FileError(fmt::format("{}: error[I01] cannot be read", file.string()));
-  return sha256(text);
-}
 
 std::string manifest(const Deck& deck, const StepProblem& problem, const std::string& linear_solver) {
   const Scene& scene = problem.scene();

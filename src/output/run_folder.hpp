@@ -30,12 +30,6 @@ class RunFolder {
   int lock_;
 };
 
-/// SHA-256 of a text, in hexadecimal.
-std::string sha256(const std::string& text);
-
-/// SHA-256 of a file's bytes. @throws FileError
-std::string sha256_of_file(const std::filesystem::path& file);
-
 /// What the run does and does not: effects on and off, versions, ranks, hashes of deck and meshes.
 std::string manifest(const Deck& deck, const StepProblem& problem, const std::string& linear_solver);
 

@@ -31,6 +31,16 @@ const std::string recipe = parameter("recipe", "string", "block");
 const std::string end = parameter("end", "double", "2");
 
 const std::vector<BadDeck> wrong_values{
+    {"ShortHash",
+     recipe,
+     parameter("file", "string", "a.exo") + parameter("sha256", "string", "e3b0c442"),
+     "4:59: error[D08]",
+     {R"(meshes > cube > "sha256" = "e3b0c442" - must have 64 hexadecimal digits)"}},
+    {"HashOfARecipe",
+     recipe,
+     recipe + parameter("sha256", "string", std::string(64, 'a')),
+     "4:61: error[D13]",
+     {"only with \"file\""}},
     {"RatioOfOneHalf",
      ratio,
      R"(type="double" value="0.5")",

@@ -1,5 +1,6 @@
 // Meshes that must be refused, each with its code and its words.
 #include <exodusII.h>
+#include <sys/stat.h>
 
 #include <fstream>
 #include <functional>
@@ -51,6 +52,7 @@ const Fault faults[] = {
      {"M14", "element 2", "twice"}},
     {"CoordinateNotANumber", [](Mesh& m) { m.coordinates[4][1] = std::nan(""); }, {"M16", "1 node", "node 5", "nan"}},
     {"CoordinateInfinite", [](Mesh& m) { m.coordinates[4][1] = -INFINITY; }, {"M16", "node 5", "-inf"}},
+    {"CoordinateTooLarge", [](Mesh& m) { m.coordinates[4][1] = 1e300; }, {"M18", "1 node", "node 5", "1e+300", "at most 1e+100"}},
     {"OrphanNodes",
      [](Mesh& m) {
        for (int i = 0; i < 7; ++i) m.coordinates.push_back({5, 5, 5}), m.node_numbers.push_back(101 + i);
@@ -77,6 +79,9 @@ const Fault faults[] = {
     {"NodeNumberZero", [](Mesh& m) { m.node_numbers[3] = 0; }, {"M24", "entry 4 is 0", "positive"}},
     {"ElementNumberTwice", [](Mesh& m) { m.element_numbers[1] = 1; }, {"M25", "element number map", "first: 1"}},
     {"NameTwice", [](Mesh& m) { m.side_sets[1].name = "left"; }, {"M26", "side set 2 \"left\"", "unique"}},
+    {"NegativeId", [](Mesh& m) { m.side_sets[1].id = -2; }, {"M27", "side set -2 \"right\"", "negative"}},
+    {"NameWithControlCharacter", [](Mesh& m) { m.node_sets[1].name = "ri\aght"; }, {"M28", "node set 2 \"ri?ght\""}},
+    {"NameNotUtf8", [](Mesh& m) { m.blocks[0].name = "f\xfcr"; }, {"M28", "block 1 \"f?r\"", "UTF-8"}},
     {"EmptySideSet", [](Mesh& m) { m.side_sets[4].sides.clear(); }, {"M31", "side set 5 \"bottom\" is empty"}},
     {"EmptyNodeSet", [](Mesh& m) { m.node_sets[4].nodes.clear(); }, {"M31", "node set 5 \"bottom\" is empty"}},
     {"ElementOfASideOutOfRange",
@@ -141,7 +146,7 @@ TEST(ForeignFiles, WithOtherElementTypesNameEachBlock) {
     file.add_block(3, "HEX", 1, 20, "");
   }
   const std::string error = mesh_error_of([&] { read_exodus(folder / "tool.exo"); });
-  expect_words(error, {"tool.exo: error[M12] block 2 \"shaft\": element type PYRAMID5 is not supported - hex8 (HEX, HEX8)",
+  expect_words(error, {"tool.exo: error[M12] block 2 \"shaft\": element type PYRAMID5 is not supported - supported: HEX8",
                        "block 3: element type HEX with 20 nodes is not supported"});
 }
 
@@ -182,7 +187,7 @@ TEST(ForeignFiles, ThatAreNoExodusFilesAreRefused) {
   write(std::string("CDF\1\0\0\0\0\0\0\0\x0a\x7f\xff\xff\xff", 16));  // two thousand million dimensions
   expect_words(error(), {"M04", "do not fit"});
   write("\x89HDF\r\n\x1a\n and so on");
-  expect_words(error(), {"M01", "not an Exodus file"});
+  expect_words(error(), {"M04", "superblock"});
 }
 
 TEST(ForeignFiles, CutAnywhereAreRefused) {
@@ -196,6 +201,24 @@ TEST(ForeignFiles, CutAnywhereAreRefused) {
   }
   std::filesystem::resize_file(folder / "whole.e", bytes.size() - 40);
   expect_words(mesh_error_of([&] { read_exodus(folder / "whole.e"); }), {"M04", "requires", "truncated"});
+}
+
+TEST(ForeignFiles, LongerThanTheirHeaderSaysAreRefused) {
+  const ScratchFolder folder;
+  write_exodus(two_hexes(), folder / "long.e", "two hexes");
+  std::ofstream(folder / "long.e", std::ios::binary | std::ios::app) << "more";
+  expect_words(mesh_error_of([&] { read_exodus(folder / "long.e"); }), {"M04", "its header describes"});
+}
+
+TEST(ForeignFiles, ThatWouldHoldTheReaderUpAreRefused) {
+  const ScratchFolder folder;
+  ASSERT_EQ(mkfifo((folder / "pipe.e").c_str(), 0600), 0);
+  try {
+    read_exodus(folder / "pipe.e");
+    ADD_FAILURE() << "a pipe is read";
+  } catch (const FileError& error) {
+    expect_words(error.what(), {"I01", "no regular file"});
+  }
 }
 
 }  // namespace

@@ -1,0 +1,130 @@
+// A mesh as bytes: each struct names its members once, for both directions.
+#include "mesh/mesh_bytes.hpp"
+
+#include <cstring>
+#include <stdexcept>
+#include <type_traits>
+
+namespace mortise {
+
+namespace {
+
+class Packer {
+ public:
+  explicit Packer(std::size_t expected_size) { bytes_.reserve(expected_size); }
+  template <class Number>
+  void number(Number& n) {
+    bytes_.append(reinterpret_cast<const char*>(&n), sizeof n);
+  }
+  /// A string, or a vector of what can be copied byte by byte.
+  template <class List>
+  void plain(List& list) {
+    static_assert(std::is_trivially_copyable_v<typename List::value_type>);
+    std::size_t n = list.size();
+    number(n);
+    bytes_.append(reinterpret_cast<const char*>(list.data()), n * sizeof(typename List::value_type));
+  }
+  template <class Entity>
+  void entities(std::vector<Entity>& list) {
+    std::size_t n = list.size();
+    number(n);
+    for (Entity& entity : list) members(*this, entity);
+  }
+  std::string bytes() && { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+class Unpacker {
+ public:
+  explicit Unpacker(const std::string& bytes) : bytes_(bytes) {}
+
+  template <class Number>
+  void number(Number& n) {
+    copy(&n, 1);
+  }
+  template <class List>
+  void plain(List& list) {
+    std::size_t n = 0;
+    number(n);
+    require(n <= (bytes_.size() - at_) / sizeof(typename List::value_type));
+    list.resize(n);
+    copy(list.data(), n);
+  }
+  template <class Entity>
+  void entities(std::vector<Entity>& list) {
+    std::size_t n = 0;
+    number(n);
+    require(n <= bytes_.size() - at_);
+    list.resize(n);
+    for (Entity& entity : list) members(*this, entity);
+  }
+  void finish() const { require(at_ == bytes_.size()); }
+
+ private:
+  static void require(bool holds) {
+    if (!holds) throw std::logic_error("bytes that are no mesh");
+  }
+  template <class T>
+  void copy(T* to, std::size_t n) {
+    require(n * sizeof(T) <= bytes_.size() - at_);
+    if (n > 0) std::memcpy(to, bytes_.data() + at_, n * sizeof(T));
+    at_ += n * sizeof(T);
+  }
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+};
+
+template <class Archive>
+void members(Archive& archive, Block& block) {
+  archive.number(block.id);
+  archive.plain(block.name);
+  archive.plain(block.elements);
+}
+
+template <class Archive>
+void members(Archive& archive, SideSet& set) {
+  archive.number(set.id);
+  archive.plain(set.name);
+  archive.plain(set.sides);
+}
+
+template <class Archive>
+void members(Archive& archive, NodeSet& set) {
+  archive.number(set.id);
+  archive.plain(set.name);
+  archive.plain(set.nodes);
+}
+
+template <class Archive>
+void members(Archive& archive, Mesh& mesh) {
+  archive.plain(mesh.source);
+  archive.plain(mesh.coordinates);
+  archive.plain(mesh.node_numbers);
+  archive.plain(mesh.element_numbers);
+  archive.entities(mesh.blocks);
+  archive.entities(mesh.side_sets);
+  archive.entities(mesh.node_sets);
+}
+
+}  // namespace
+
+std::string bytes_of(const Mesh& mesh) {
+  // Nearly all of it is nodes and elements; sets find room in the rest.
+  const std::size_t n = mesh.coordinates.size() * (sizeof(Point) + sizeof(std::int64_t)) +
+                        mesh.element_numbers.size() * (sizeof(mesh.blocks[0].elements[0]) + sizeof(std::int64_t));
+  Packer packer(n + n / 8);
+  members(packer, const_cast<Mesh&>(mesh));  // the packer only reads
+  return std::move(packer).bytes();
+}
+
+Mesh mesh_of(const std::string& bytes) {
+  Unpacker unpacker(bytes);
+  Mesh mesh;
+  members(unpacker, mesh);
+  unpacker.finish();
+  return mesh;
+}
+
+}  // namespace mortise
