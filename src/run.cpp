@@ -17,6 +17,7 @@
 #include "output/on_root.hpp"
 #include "output/run_folder.hpp"
 #include "setup.hpp"
+#include "sha256.hpp"
 #include "stop_request.hpp"
 
 namespace mortise {
