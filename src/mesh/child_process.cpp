@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -51,10 +52,12 @@ std::uint64_t address_space() {
 }
 
 /// Whatever the surroundings do on a crash (MPI prints a backtrace), the child just ends by it. A request to stop goes to all
-/// processes at the terminal; it is the parent's to answer.
+/// processes at the terminal; it is the parent's to answer. A child does not outlive its parent: it would keep what that had
+/// locked.
 void prepare_child(const ChildLimits& limits) {
   for (int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGXCPU}) signal(crash, SIG_DFL);
   for (int request : {SIGINT, SIGTERM}) signal(request, SIG_IGN);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nowhere = open("/dev/null", O_WRONLY);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
@@ -114,7 +117,7 @@ std::string failure_of(int status, const ChildLimits& limits) {
 
 ChildResult run_in_child(const std::function<std::string()>& work, const ChildLimits& limits) {
   const auto refuse = [](int cause) {
-    throw UserError(ExitCode::resources, fmt::format("error[R02] no process can be started: {}", std::strerror(cause)));
+    throw UserError(ExitCode::resources, fmt::format("error[R03] no process can be started: {}", std::strerror(cause)));
   };
   int ends[2] = {};
   if (pipe(ends) != 0) refuse(errno);
