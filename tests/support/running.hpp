@@ -41,6 +41,15 @@ class Running {
   void signal(int number) const { ::kill(process_, number); }
   void signal_all(int number) const { ::kill(-process_, number); }
 
+  /// Sends a signal to one of its children, the first one first: with mpirun these are the ranks.
+  void signal_child(int k, int number) const {
+    const std::string id = std::to_string(process_);
+    std::ifstream list("/proc/" + id + "/task/" + id + "/children");
+    pid_t child = 0;
+    for (int skipped = -1; skipped < k; ++skipped) list >> child;
+    if (list) ::kill(child, number);
+  }
+
   /// Waits until `condition` holds. @return false if the program ends before, or after a minute
   bool until(const std::function<bool()>& condition) {
     for (int k = 0; k < 12000; ++k) {
