@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "deck/fields.hpp"
 #include "time/march.hpp"
 
 namespace mortise {
@@ -69,7 +70,7 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       const fs::path file = deck.file().parent_path() / *mesh.file;
       text += fmt::format("mesh \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
     } else {
-      text += fmt::format("mesh \"{}\" recipe {}\n", name, *mesh.recipe);
+      text += fmt::format("mesh \"{}\" recipe {}\n", name, name_of_kind(*mesh.recipe));
     }
   }
   const int n_q = 3 * problem.dofs().n_nodes();
