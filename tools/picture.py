@@ -1,4 +1,6 @@
-"""Renders one frame of an Exodus result: deformed shape, mesh edges, one nodal field in colour. Run by tools/picture under pvpython."""
+"""Renders one frame of an Exodus result: deformed shape, mesh edges, one nodal field in colour, or the side sets of a mesh.
+
+Run by tools/picture under pvpython."""
 
 import argparse
 import os
@@ -12,6 +14,8 @@ from vtkmodules.numpy_interface import dataset_adapter
 
 # Pixels: width of a picture, what it keeps clear at the sides, above for the time, below for the colour bar; size of the letters.
 WIDTH, MARGIN, HEAD, FOOT, FONT = 1600, 50, 60, 170, 26
+# Colours that those who see few colours tell apart too (Okabe and Ito), lightened.
+SIDE_COLOURS = [[0.95, 0.75, 0.35], [0.55, 0.80, 0.95], [0.45, 0.80, 0.65], [0.97, 0.93, 0.55], [0.90, 0.60, 0.45], [0.85, 0.68, 0.80]]
 
 
 def arguments():
@@ -21,6 +25,8 @@ def arguments():
     parser.add_argument("--time", type=float, help="the frame nearest to this time; default: the last")
     parser.add_argument("--field", help="a nodal field; default: von_mises, else the first one there is")
     parser.add_argument("--range", metavar="LOW,HIGH", help="of the colours; default: all values of the frame")
+    parser.add_argument("--sides", action="store_true", help="the side sets, each in a colour of its own with its name")
+    parser.add_argument("--width", type=int, default=WIDTH, help=f"of the picture in pixels, default: {WIDTH}")
     parser.add_argument("--view", action="append", metavar="x,y,z",
                         help="from the scene to the eye, default: -0.45,-1,0.6; a further --view makes a further picture OUT_2.png")
     # A view starts with a minus sign as often as not: argparse wants it joined to its option.
@@ -79,6 +85,31 @@ def shown_points(reader):
     """Positions of all nodes as drawn, n x 3."""
     blocks = dataset_adapter.WrapDataObject(servermanager.Fetch(reader)).Points
     return numpy.vstack([numpy.asarray(block) for block in getattr(blocks, "Arrays", [blocks])])
+
+
+def show_sides(file, reader, view):
+    """Each side set in a colour of its own, and its name in a line of that colour below."""
+    for number, name in enumerate(reader.GetProperty("SideSetArrayStatus").Available):
+        sides = ExodusIIReader(FileName=[os.path.abspath(file)])
+        sides.ElementBlocks = []
+        sides.SideSetArrayStatus = [name]
+        display = Show(sides, view)
+        style(display)
+        display.ColorArrayName = ["POINTS", ""]
+        display.DiffuseColor = display.AmbientColor = SIDE_COLOURS[number % len(SIDE_COLOURS)]
+        label = Show(Text(Text=name.split(" ID:")[0]), view)
+        label.Color = [0.75 * c for c in SIDE_COLOURS[number % len(SIDE_COLOURS)]]
+        label.Bold = 1
+        label.FontSize = 3 * FONT
+        label.WindowLocation = "Any Location"
+        label.Position = [0.03 + 0.33 * (number % 3), 0.11 - 0.09 * (number // 3)]
+
+
+def style(display):
+    display.Representation = "Surface With Edges"
+    display.EdgeColor = [0.45, 0.45, 0.45]
+    display.LineWidth = 1.0
+    display.Ambient, display.Diffuse, display.Specular = 0.35, 0.7, 0.0
 
 
 def place_camera(view, points, eye):
@@ -146,21 +177,22 @@ def main():
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]
     view.ViewTime = time
-    display = Show(reader, view)
-    display.Representation = "Surface With Edges"
-    display.EdgeColor = [0.45, 0.45, 0.45]
-    display.LineWidth = 1.0
-    display.Ambient, display.Diffuse, display.Specular = 0.35, 0.7, 0.0
-    if field:
-        colour(display, reader, field, view, options.range)
+    if options.sides:
+        show_sides(options.results, reader, view)
     else:
-        display.ColorArrayName = ["POINTS", ""]
-        display.DiffuseColor = display.AmbientColor = [0.75, 0.8, 0.85]
-    label = Text(Text=f"t = {time:.4g}")
-    label_display = Show(label, view)
-    label_display.Color = [0.0, 0.0, 0.0]
-    label_display.FontSize = FONT
-    label_display.WindowLocation = "Upper Left Corner"
+        display = Show(reader, view)
+        style(display)
+        if field:
+            colour(display, reader, field, view, options.range)
+        else:
+            display.ColorArrayName = ["POINTS", ""]
+            display.DiffuseColor = display.AmbientColor = [0.75, 0.8, 0.85]
+    if reader.TimestepValues:  # a mesh alone has none
+        label = Text(Text=f"t = {time:.4g}")
+        label_display = Show(label, view)
+        label_display.Color = [0.0, 0.0, 0.0]
+        label_display.FontSize = FONT
+        label_display.WindowLocation = "Upper Left Corner"
 
     points = shown_points(reader)
     stem, ending = os.path.splitext(options.out)
@@ -168,7 +200,7 @@ def main():
         out = options.out if number == 1 else f"{stem}_{number}{ending or '.png'}"
         height = place_camera(view, points, eye)
         Render(view)
-        SaveScreenshot(out, view, ImageResolution=[WIDTH, height], TransparentBackground=0)
+        SaveScreenshot(out, view, ImageResolution=[options.width, round(options.width * height / WIDTH)], TransparentBackground=0)
         print(f"picture: {os.path.abspath(out)}")
 
 

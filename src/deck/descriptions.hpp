@@ -7,6 +7,7 @@
 #include "deck/bounds.hpp"
 #include "deck/fields.hpp"
 #include "deck/options.hpp"
+#include "mesh/recipes/descriptions.hpp"
 
 namespace mortise {
 
@@ -21,19 +22,10 @@ inline bool is_sha256(const std::string& text) {
 /// What makes a mesh from a recipe, and where a mesh is placed.
 template <class Fields>
 void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
-  const Choices<std::string> recipes{{"block", "block"}, {"graded block", "graded block"}};
-  f.choice("recipe", o.recipe, recipes, recipe,
-           "block: a box of hexahedra with one corner at the origin; its side sets are left, right (x), front, back (y), "
-           "bottom, top (z)");
-  f.optional("size", o.size, positive, "length", "edge lengths of the block in x, y, z");
-  f.optional("elements", o.elements, within(1, 1e6), "-", "number of elements in x, y, z");
-  f.optional("grading", o.grading, positive, "-", "size of the last element over the size of the first, in x, y, z");
+  f.kind("recipe", o.recipe, recipe,
+         "a shape that is meshed with hexahedra; it makes one element block, with the name of the recipe");
   f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
   f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
-  f.only_with({"size", "elements"}, "recipe", o.recipe.has_value(), "\"recipe\"");
-  f.only_with({"grading"}, "recipe", o.recipe == "graded block", "\"recipe\" = \"graded block\"");
-  f.rule("D08", {"elements"}, (o.elements[0] + 1.) * (o.elements[1] + 1.) * (o.elements[2] + 1.) < 2147483648.,
-         "must give fewer than 2^31 nodes");
   f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,
          "must have an axis that is not zero");
 }

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "mesh/recipes/recipes.hpp"
+
 namespace mortise {
 
 /// Entries that the user names, in the order of the deck.
@@ -17,10 +19,7 @@ using Named = std::vector<std::pair<std::string, Options>>;
 struct MeshOptions {
   std::optional<std::string> file;    ///< path relative to the deck
   std::optional<std::string> sha256;  ///< of the file, in lower case; compared before the file is opened
-  std::optional<std::string> recipe;  ///< "block" or "graded block"
-  std::array<double, 3> size{1, 1, 1};
-  std::array<int, 3> elements{1, 1, 1};
-  std::array<double, 3> grading{1, 1, 1};  ///< last element size / first element size, per axis
+  std::optional<Recipe> recipe;
   std::array<double, 3> origin{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 1, 0};  ///< axis x, y, z and degrees; applied before origin
 };

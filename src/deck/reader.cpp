@@ -97,6 +97,26 @@ void Reader::only_with(const std::vector<std::string>& names, const std::string&
   });
 }
 
+void Reader::refuse_parameters_of_other_kinds(const std::string& governor, const Choices<std::vector<std::string>>& kinds) {
+  const auto holds = [](const std::vector<std::string>& names, const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const auto& [word, parameters] : kinds) {
+    for (const std::string& name : parameters) {
+      if (holds(known_, name) || holds(of_other_kinds_, name)) continue;
+      of_other_kinds_.push_back(name);
+      std::string owners;
+      for (const auto& [owner, names] : kinds) {
+        if (holds(names, name)) owners += (owners.empty() ? "" : ", ") + in_quotes(owner);
+      }
+      checks_.push_back([this, holds, governor, name = name, owners] {
+        if (!is_set(name) || failed_.count(governor) > 0 || holds(missing_, governor)) return;
+        fail("D13", name, "is set but unused: it has a meaning only with " + in_quotes(governor) + " = " + owners);
+      });
+    }
+  }
+}
+
 void Reader::rule(const std::string& code, const std::vector<std::string>& names, bool holds, const std::string& text,
                   const std::string& limit) {
   if (holds) return;
@@ -117,6 +137,7 @@ void Reader::rule(const std::string& code, const std::vector<std::string>& names
 void Reader::finish() {
   const auto check_known = [this](const std::string& name, const char* kind) {
     if (std::find(known_.begin(), known_.end(), name) != known_.end()) return;
+    if (std::find(of_other_kinds_.begin(), of_other_kinds_.end(), name) != of_other_kinds_.end()) return;
     fail("D06", name, not_among(std::string("unknown ") + kind, name, known_));
     // A misspelt name is one error: what it stands for is neither missing nor to be judged with others.
     const std::string meant = nearest_name(name, known_);

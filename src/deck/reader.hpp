@@ -10,6 +10,7 @@
 #include "deck/bounds.hpp"
 #include "deck/fields.hpp"
 #include "deck/options.hpp"
+#include "deck/parameter_names.hpp"
 #include "deck/source.hpp"
 #include "deck/values.hpp"
 
@@ -54,6 +55,23 @@ class Reader {
       }
     }
     fail("D10", name, not_among("is not one of the names to choose from", word, names_of(choices)));
+  }
+
+  template <class Kinds>
+  void kind(const std::string& name, Kinds& target, Presence presence, const std::string&) {
+    std::string word;
+    const bool is_read = is_given(name, presence) && read(name, word, anything, "");
+    bool is_known = false;
+    if (is_read) {
+      for_each_kind<Kinds>([&](auto one) {
+        if (word != one.name) return;
+        is_known = true;
+        target = one;
+      });
+      if (!is_known) fail("D10", name, not_among("is not one of the names to choose from", word, names_of_kinds<Kinds>()));
+    }
+    visit_kind(target, [this](auto& held) { describe(*this, held); });  // without a word: what `target` held, if anything
+    refuse_parameters_of_other_kinds(name, parameters_of_kinds<Kinds>());
   }
 
   void words(const std::string& name, std::vector<std::string>& target, const std::vector<std::string>& allowed,
@@ -104,6 +122,9 @@ class Reader {
  private:
   /// Notes the name as known, and as missing if it is required and absent.
   bool is_given(const std::string& name, Presence presence);
+  /// After the description of the kind that was chosen: what is set beside it and belongs to others only has no meaning. Where
+  /// the word `governor` is faulty or missing, nothing is said about them.
+  void refuse_parameters_of_other_kinds(const std::string& governor, const Choices<std::vector<std::string>>& kinds);
   bool has_type(const std::string& name, const std::string& wanted, const std::string& meaning);
   const DeckList* find_list(const std::string& name, Presence presence);
   void check_entries(const DeckList& list, const std::string& name);
@@ -137,6 +158,7 @@ class Reader {
   const std::vector<std::string> path_;
   Findings& findings_;
   std::vector<std::string> known_;
+  std::vector<std::string> of_other_kinds_;  ///< known, but not here
   std::vector<std::string> missing_;
   std::set<std::string> failed_;               ///< reported: to be left alone by the checks
   std::vector<std::function<void()>> checks_;  ///< what ties parameters together: judged when misspelt names are known

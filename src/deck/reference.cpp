@@ -65,6 +65,17 @@ class ReferencePrinter {
         help);
   }
 
+  template <class Kinds>
+  void kind(const std::string& name, Kinds&, Presence presence, const std::string& help) {
+    parameter(name, {"string", presence == Presence::required ? "required" : "optional", "one of the following kinds"}, help);
+    if (!only_.empty()) return;
+    for_each_kind<Kinds>([&](auto one) {
+      print_wrapped(out_, fmt::format("{}  {} = \"{}\": ", indent_, name, one.name), one.help);
+      ReferencePrinter printer(out_, static_cast<int>(indent_.size()) + 4);
+      describe(printer, one);
+    });
+  }
+
   void words(const std::string& name, const std::vector<std::string>& target, const std::vector<std::string>& allowed,
              const std::string& help) {
     parameter(name, {"Array(string)", "of: " + join(allowed), default_text(show(target))}, help);

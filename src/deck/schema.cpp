@@ -98,6 +98,14 @@ class SchemaPrinter {
     for (const std::string& word : names_of(choices)) add_value(words, word);
   }
 
+  /// The parameters of all kinds are allowed side by side: which belong together is left to `mortise check` too.
+  template <class Kinds>
+  void kind(const std::string& name, Kinds&, Presence, const std::string& help) {
+    pugi::xml_node words = typed_value(parameter(name, help), "string").append_child("choice");
+    for (const std::string& word : names_of_kinds<Kinds>()) add_value(words, word);
+    for_each_kind<Kinds>([&](auto kind) { describe(*this, kind); });
+  }
+
   void words(const std::string& name, const std::vector<std::string>&, const std::vector<std::string>& allowed,
              const std::string& help) {
     std::string any;  // of letters and blanks, which mean themselves in a pattern

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "errors.hpp"
+#include "mesh/angles.hpp"
 #include "mesh/checks.hpp"
 #include "mesh/exodus.hpp"
 #include "mesh/recipes/recipes.hpp"
@@ -17,8 +18,6 @@ namespace mortise {
 
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
 Mesh make_unplaced(const MeshOptions& options, const std::filesystem::path& folder) {
   if (options.file.has_value() == options.recipe.has_value()) {
     MeshErrors errors("mesh");
@@ -26,24 +25,7 @@ Mesh make_unplaced(const MeshOptions& options, const std::filesystem::path& fold
     errors.throw_if_any();
   }
   if (options.file) return read_exodus(folder / *options.file);
-  if (*options.recipe == "block") {
-    if (options.grading != std::array<double, 3>{1, 1, 1})
-      throw MeshError("mesh: error[M41] \"grading\" - needs recipe \"graded block\"");
-    return block(options.size, options.elements);
-  }
-  if (*options.recipe == "graded block") return graded_block(options.size, options.elements, options.grading);
-  throw MeshError(fmt::format("mesh: error[M41] \"recipe\" = \"{}\" - block, graded block{}", *options.recipe,
-                              did_you_mean(*options.recipe, {"block", "graded block"})));
-}
-
-/// Sine and cosine of an angle in degrees, exact at multiples of 90, so that a turned brick keeps flat sides.
-std::array<double, 2> sine_cosine(double degrees) {
-  const double turn = std::remainder(degrees, 360.0);
-  if (std::remainder(turn, 90.0) == 0.0) {
-    constexpr std::array<std::array<double, 2>, 4> quarters{{{0, 1}, {1, 0}, {0, -1}, {-1, 0}}};
-    return quarters[static_cast<std::size_t>((std::lround(turn / 90) + 4) % 4)];
-  }
-  return {std::sin(turn * pi / 180), std::cos(turn * pi / 180)};
+  return make(*options.recipe);
 }
 
 /// Rodrigues' rotation of X about the unit vector k:  X cos + (k x X) sin + k (k . X)(1 - cos).

@@ -15,6 +15,7 @@
 #include <sstream>
 #include <utility>
 
+#include "deck/fields.hpp"
 #include "output/checkpoint.hpp"
 #include "sha256.hpp"
 
@@ -81,7 +82,7 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       const fs::path file = deck.file().parent_path() / *mesh.file;
       text += fmt::format("mesh \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
     } else {
-      text += fmt::format("mesh \"{}\" recipe {}\n", name, *mesh.recipe);
+      text += fmt::format("mesh \"{}\" recipe {}\n", name, name_of_kind(*mesh.recipe));
     }
   }
   const int n_q = 3 * problem.dofs().n_nodes();

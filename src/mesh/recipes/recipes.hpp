@@ -1,17 +1,154 @@
-// Meshes made by a recipe: the shapes that need no file.
+// Meshes made by a recipe: the shapes that need no file, and what each of them is told.
+//
+// Every recipe makes one block of hex8 named after its word in the deck, side sets and node sets of the same names, and numbers
+// counted from 1; the same data give the same mesh to the last bit. A new recipe is one struct here with its line in `Recipe`,
+// its description in descriptions.hpp and one short file with its map.
 #pragma once
+
+#include <array>
+#include <variant>
 
 #include "mesh/mesh.hpp"
 
 namespace mortise {
 
-/// A brick [0, size] of elements[0] x elements[1] x elements[2] hex8, one block, sides named
-/// left right (x), front back (y), bottom top (z), node sets of the same names, numbers counted from 1, x fastest.
-/// `grading` is last / first element size per axis (geometric; 1 = uniform).
-/// @throws MeshError for non-positive data
-Mesh graded_block(const std::array<double, 3>& size, const std::array<int, 3>& elements, const std::array<double, 3>& grading);
+namespace recipes {
 
-/// The uniform brick.
-Mesh block(const std::array<double, 3>& size, const std::array<int, 3>& elements);
+/// A brick [0, size].
+struct Block {
+  static constexpr const char* name = "block";
+  static constexpr const char* help =
+      "a box with one corner at the origin; sides: left, right (x), front, back (y), bottom, top (z)";
+  std::array<double, 3> size{1, 1, 1};
+  std::array<int, 3> elements{1, 1, 1};
+};
+
+/// The brick with elements that grow along its axes.
+struct GradedBlock {
+  static constexpr const char* name = "graded block";
+  static constexpr const char* help = "a block whose elements grow along its axes; sides and name of the element block as there";
+  std::array<double, 3> size{1, 1, 1};
+  std::array<int, 3> elements{1, 1, 1};
+  std::array<double, 3> grading{1, 1, 1};  ///< last element size / first element size, per axis
+};
+
+/// A spherical shell about the origin, cubed: six lattices, one per face of a cube.
+struct HollowSphere {
+  static constexpr const char* name = "hollow sphere";
+  static constexpr const char* help = "a spherical shell about the origin, meshed as a cube blown up; sides: inner, outer";
+  double inner_radius = 0;
+  double outer_radius = 0;
+  std::array<int, 2> elements{4, 1};  ///< along an edge of the cube, through the wall
+  double grading = 1;                 ///< last (outermost) element size / first, through the wall
+};
+
+/// A hollow torus about the z axis.
+struct Torus {
+  static constexpr const char* name = "torus";
+  static constexpr const char* help =
+      "a tube bent to a ring in the plane z = 0 about the origin; sides: inner, outer (of the tube)";
+  double ring_radius = 0;                 ///< of the tube's centre line
+  double inner_radius = 0;                ///< of the tube
+  double outer_radius = 0;                ///< of the tube
+  std::array<int, 3> elements{24, 8, 1};  ///< around the ring, around the tube, through the wall
+  double grading = 1;                     ///< last (outermost) element size / first, through the wall
+};
+
+/// A full cylinder about the z axis, 0 <= z <= height: a core of squares within shells.
+struct Cylinder {
+  static constexpr const char* name = "cylinder";
+  static constexpr const char* help =
+      "a full cylinder about the z axis, standing on z = 0: a core of squares, whose corners are at 0.6 radius, within round "
+      "shells; sides: outer, bottom, top";
+  double radius = 0;
+  double height = 0;
+  std::array<int, 3> elements{4, 2, 4};  ///< along a side of the core, shells, along the axis
+  std::array<double, 2> grading{1, 1};   ///< last / first element size, outwards through the shells, along the axis
+};
+
+/// A tube about the z axis, 0 <= z <= height.
+struct HollowCylinder {
+  static constexpr const char* name = "hollow cylinder";
+  static constexpr const char* help = "a tube about the z axis, standing on z = 0; sides: inner, outer, bottom, top";
+  double inner_radius = 0;
+  double outer_radius = 0;
+  double height = 0;
+  std::array<int, 3> elements{16, 1, 4};  ///< around, through the wall, along the axis
+  std::array<double, 2> grading{1, 1};    ///< last / first element size, through the wall, along the axis
+};
+
+/// A sector of the tube, from the plane y = 0 counter-clockwise about z.
+struct RingSector {
+  static constexpr const char* name = "ring sector";
+  static constexpr const char* help =
+      "a sector of a hollow cylinder, from the half plane y = 0, x > 0 counter-clockwise about z; sides: inner, outer, start "
+      "(in that half plane), end, bottom, top";
+  double inner_radius = 0;
+  double outer_radius = 0;
+  double height = 0;
+  double angle = 0;                        ///< [degrees]
+  std::array<int, 3> elements{4, 1, 4};    ///< around, through the wall, along the axis
+  std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, around, through the wall, along the axis
+};
+
+/// A block whose lower face is curved; its lowest point, the crown, is in the middle at z = 0.
+struct CurvedIndenter {
+  static constexpr const char* name = "curved indenter";
+  static constexpr const char* help =
+      "a block with a curved lower face, whose lowest point or line (the crown) is in the middle of the face at z = 0; sides as "
+      "of a block";
+  enum class Shape { cylinder, sphere };
+  std::array<double, 3> size{1, 1, 1};  ///< edge lengths; the height is that at the crown
+  double radius = 0;                    ///< of the lower face
+  Shape shape = Shape::cylinder;        ///< the cylinder's axis is along y
+  std::array<int, 3> elements{4, 4, 4};
+  std::array<double, 3> grading{1, 1, 1};  ///< x, y: element size at the rim / at the crown; z: last / first
+};
+
+/// A block whose top face rises in x.
+struct Wedge {
+  static constexpr const char* name = "wedge";
+  static constexpr const char* help =
+      "a block whose top face rises along x; sides as of a block. Turned by 180 degrees about y it is a block with an inclined "
+      "lower face, which fits on it";
+  std::array<double, 3> size{1, 1, 1};  ///< edge lengths; the height is that of the left side
+  double slope = 0;                     ///< dz/dx of the top face
+  std::array<int, 3> elements{4, 4, 4};
+  std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, per axis
+};
+
+/// The mesh of each recipe, made at the origin.
+/// @throws MeshError M41 with the parameter at fault; M21 where data are so extreme that elements have no volume in doubles
+Mesh make(const Block& o);
+Mesh make(const GradedBlock& o);
+Mesh make(const HollowSphere& o);
+Mesh make(const Torus& o);
+Mesh make(const Cylinder& o);
+Mesh make(const HollowCylinder& o);
+Mesh make(const RingSector& o);
+Mesh make(const CurvedIndenter& o);
+Mesh make(const Wedge& o);
+
+}  // namespace recipes
+
+/// What a deck may ask for, in the order of the reference.
+using Recipe = std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
+                            recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge>;
+
+/// The mesh of a recipe. @throws MeshError as the recipes' own
+inline Mesh make(const Recipe& recipe) {
+  return std::visit([](const auto& kind) { return recipes::make(kind); }, recipe);
+}
+
+/// The brick of the recipe "graded block". @throws MeshError
+inline Mesh graded_block(const std::array<double, 3>& size, const std::array<int, 3>& elements,
+                         const std::array<double, 3>& grading) {
+  return recipes::make(recipes::GradedBlock{size, elements, grading});
+}
+
+/// The brick of the recipe "block". @throws MeshError
+inline Mesh block(const std::array<double, 3>& size, const std::array<int, 3>& elements) {
+  return recipes::make(recipes::Block{size, elements});
+}
 
 }  // namespace mortise

@@ -2,6 +2,7 @@
 #include <sstream>
 
 #include "deck/codes.hpp"
+#include "deck/fields.hpp"
 #include "src/deck/decks.hpp"
 
 namespace mortise::test {
@@ -289,6 +290,17 @@ TEST(Reference, NamesEveryParameterAndCode) {
   for (const DeckCode& one : deck_codes) EXPECT_NE(text.find(one.code), std::string::npos) << one.code;
   EXPECT_NE(text.find("in (-1, 0.5)"), std::string::npos);
   EXPECT_NE(text.find("default 25"), std::string::npos);
+}
+
+TEST(Reference, NamesEachRecipeWithItsOwnParameters) {
+  const std::string text = reference("meshes");
+  for (const std::string& name : names_of_kinds<Recipe>()) {
+    EXPECT_NE(text.find("recipe = \"" + name + "\": "), std::string::npos) << name;
+  }
+  const std::size_t torus = text.find("recipe = \"torus\""), ring = text.find("ring radius "),
+                    next = text.find("recipe = \"cylinder\"");
+  EXPECT_LT(torus, ring);
+  EXPECT_LT(ring, next);
 }
 
 TEST(Reference, OfOneListHasOnlyThatList) {

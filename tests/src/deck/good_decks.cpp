@@ -1,4 +1,5 @@
 // Decks that must be read, and what they must give.
+#include "deck/fields.hpp"
 #include "src/deck/decks.hpp"
 
 namespace mortise::test {
@@ -9,10 +10,11 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
   EXPECT_EQ(o.title, "Thesis 6.3.1: ironing, frictionless, depth 0.7");
   ASSERT_EQ(o.meshes.size(), 2u);
   EXPECT_EQ(o.meshes[0].first, "slab");
-  EXPECT_EQ(o.meshes[0].second.recipe, "block");
+  ASSERT_TRUE(o.meshes[0].second.recipe);
+  const auto& slab = std::get<recipes::Block>(*o.meshes[0].second.recipe);
   EXPECT_FALSE(o.meshes[0].second.file);
-  EXPECT_EQ(o.meshes[0].second.size, (std::array<double, 3>{9, 4, 3}));
-  EXPECT_EQ(o.meshes[0].second.elements, (std::array<int, 3>{20, 5, 3}));
+  EXPECT_EQ(slab.size, (std::array<double, 3>{9, 4, 3}));
+  EXPECT_EQ(slab.elements, (std::array<int, 3>{20, 5, 3}));
   EXPECT_EQ(o.meshes[0].second.origin, (std::array<double, 3>{0, 0, 0}));
   EXPECT_EQ(o.meshes[1].second.origin, (std::array<double, 3>{1, 1.5, 3}));
   ASSERT_EQ(o.materials.size(), 2u);
@@ -51,7 +53,7 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
 
 TEST(Deck, OfFewLinesLeavesDefaults) {
   const DeckOptions o = read_text(block_deck);
-  EXPECT_EQ(o.meshes[0].second.size, (std::array<double, 3>{1, 1, 1}));
+  EXPECT_EQ(std::get<recipes::Block>(o.meshes[0].second.recipe.value()).size, (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(o.solver.tolerance, SolverOptions{}.tolerance);
   EXPECT_EQ(o.output.fields, OutputOptions{}.fields);
   EXPECT_FALSE(o.supports[0].second.displacement[0]);
@@ -158,13 +160,31 @@ TEST(RecipeFile, GivesAMesh) {
   <Parameter name="rotation" type="Array(double)" value="{0, 1, 0, 90}"/>
 </ParameterList>)deck";
   const MeshOptions mesh = read_recipe(write_file(text, "recipe.xml"));
-  EXPECT_EQ(mesh.recipe, "graded block");
-  EXPECT_EQ(mesh.grading[2], 0.25);
+  ASSERT_TRUE(mesh.recipe);
+  EXPECT_EQ(std::get<recipes::GradedBlock>(*mesh.recipe).grading[2], 0.25);
   EXPECT_EQ(mesh.rotation, (std::array<double, 4>{0, 1, 0, 90}));
   EXPECT_THROW(read_recipe(write_file(
                    with(text, R"("recipe" type="string" value="graded block")", R"("file" type="string" value="slab.exo")"),
                    "recipe.xml")),
                DeckError);
+}
+
+TEST(RecipeFile, GivesTheKindItNamesWithItsParameters) {
+  const std::string text = R"deck(<ParameterList name="indenter">
+  <Parameter name="radius" type="double" value="2"/>
+  <Parameter name="shape" type="string" value="sphere"/>
+  <Parameter name="recipe" type="string" value="curved indenter"/>
+</ParameterList>)deck";
+  const auto indenter = std::get<recipes::CurvedIndenter>(read_recipe(write_file(text, "recipe.xml")).recipe.value());
+  EXPECT_EQ(indenter.radius, 2);
+  EXPECT_EQ(indenter.shape, recipes::CurvedIndenter::Shape::sphere);
+  EXPECT_EQ(indenter.size, (std::array<double, 3>{1, 1, 1}));
+}
+
+TEST(Kinds, AreCountedByTheirNames) {
+  EXPECT_EQ(names_of_kinds<std::optional<Recipe>>().size(), std::variant_size_v<Recipe>);
+  EXPECT_EQ(names_of_kinds<Recipe>()[3], "torus");
+  EXPECT_EQ(name_of_kind(Recipe(recipes::HollowSphere{})), "hollow sphere");
 }
 
 }  // namespace
