@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from xml.etree import ElementTree
 
 import matplotlib
+import matplotlib.ticker
 import numpy
 from matplotlib.figure import Figure
 
@@ -53,6 +54,8 @@ class Plot:
     note: str = ""
     log: bool = False
     steps: bool = False               # a value holds for the whole step before its row
+    from_zero: bool = False           # the axis begins at 0
+    whole: bool = False               # whole numbers
     bars: dict = field(default_factory=dict)
 
 
@@ -161,20 +164,28 @@ def course_plots(history, left_out):
     """What the solver did: active nodes, Newton iterations and cuts, step size. The initial state is no step."""
     status = [n for n in ["active", "stick", "slip"] if n in history and largest([history[n]]) > 0]
     if status:
-        yield Plot("Nodes in contact", history["time"], [Series(n, history[n]) for n in status], "nodes")
+        yield Plot("Nodes in contact", history["time"], [Series(n, history[n]) for n in status], "nodes", from_zero=True, whole=True)
     else:
         left_out.append("nodes in contact")
-    steps = history["step"] > 0
-    if not steps.any():
+    if len(history["step"]) < 2:
         return
-    time = history["time"][steps]
-    effort = [Series(in_words(n), history[n][steps]) for n in ["newton_iterations", "cuts"] if n in history]
-    effort = [s for s in effort if largest([s.values]) > 0]
-    if effort:
-        yield Plot("Newton iterations and cuts", time, effort, "per accepted step", steps=True)
+    effort = {in_words(n): of_steps(history, n) for n in ["newton_iterations", "cuts"] if n in history}
+    shown = {name: v for name, v in effort.items() if largest([v]) > 0}
+    if shown:
+        note = "" if "cuts" in shown else "No accepted step was cut before."
+        yield Plot("Newton iterations and cuts", history["time"], [Series(n, v) for n, v in shown.items()], "per accepted step", note,
+                   steps=True, from_zero=True, whole=True)
     if "dt" in history:
-        dt = history["dt"][steps]
-        yield Plot("Step size", time, [Series("dt", dt)], "dt", log=bool(dt.min() > 0 and dt.max() > 20 * dt.min()), steps=True)
+        dt = of_steps(history, "dt")
+        log = bool(dt.min() > 0 and dt.max() > 20 * dt.min())
+        yield Plot("Step size", history["time"], [Series("dt", dt)], "dt", log=log, steps=True, from_zero=not log)
+
+
+def of_steps(history, name):
+    """A column about steps; the initial state, which is none, gets the value of the first step so that its line begins there."""
+    values = history[name].copy()
+    values[0] = values[1]
+    return values
 
 
 SHOWN_ELSEWHERE = re.compile(
@@ -209,7 +220,8 @@ def plots_of_history(history):
         *probe_plots(history, left_out),
         *ledger_plots(history, left_out),
         *momentum_plots(history, left_out),
-        *(magnitude_plot(history, "Closure error of the overlaps", closure, "", left_out, "") if closure else []),
+        *(magnitude_plot(history, "Closure error of the overlaps", closure, "", left_out,
+                         "Largest of a facet: its area against that of its overlaps, relative.") if closure else []),
         *course_plots(history, left_out),
     ]
     return plots, left_out
@@ -234,7 +246,7 @@ def figure_of(plot):
         matplotlib.rcdefaults()
         matplotlib.rcParams.update(STYLE)
         letters = max((len(s.label) for s in plot.series), default=0)
-        across = max(1, min(len(plot.series), 60 // (letters + 6)))
+        across = max(1, min(len(plot.series), 64 // (letters + 5)))
         rows = math.ceil(len(plot.series) / across) if len(plot.series) > 1 else 0
         figure = Figure(figsize=(SIZE[0], SIZE[1] + 0.2 * max(0, rows - 1)), constrained_layout=True)
         figure.patch.set_visible(False)
@@ -258,13 +270,12 @@ def draw_bars(axes, plot):
 
 
 def draw_lines(axes, plot):
-    several_rows = len(plot.x) > 1
     for i, series in enumerate(plot.series):
         round_again = i // len(COLOURS)  # with more lines than colours, dashes tell them apart
         axes.plot(plot.x, series.values, color=COLOURS[i % len(COLOURS)], label=series.label,
                   linestyle=["-", "--", ":", "-."][round_again % 4] if round_again else series.style,
-                  marker="o" if len(plot.x) <= FEW_ROWS else None,
-                  drawstyle="steps-pre" if plot.steps and several_rows else "default")
+                  marker="o" if len(plot.x) <= FEW_ROWS and not plot.steps else None,
+                  drawstyle="steps-pre" if plot.steps else "default")
     axes.set_xlabel("time")
     axes.set_ylabel(plot.y_label)
     values = numpy.concatenate([s.values for s in plot.series])
@@ -273,12 +284,18 @@ def draw_lines(axes, plot):
         # Whole decades, so that the axis has at least two labels.
         axes.set_yscale("log")
         axes.set_ylim(10.0 ** math.floor(math.log10(values.min())), 10.0 ** (math.floor(math.log10(values.max())) + 1))
-    elif plot.steps:
-        axes.set_ylim(bottom=0)
-        if plot.y_label != "dt":
-            axes.yaxis.get_major_locator().set_params(integer=True)
-    if not plot.log and values.size:
-        axes.ticklabel_format(axis="y", style="sci", scilimits=(-3, 5), useMathText=False)
+    elif plot.from_zero:
+        axes.set_ylim(0, 1.08 * max(values.max(initial=0), 1e-300))
+    if plot.whole:
+        axes.yaxis.get_major_locator().set_params(integer=True)
+    for axis in [axes.xaxis, axes.yaxis]:
+        axis.set_major_formatter(tick_label)
+    axes.yaxis.set_minor_formatter(matplotlib.ticker.NullFormatter())
+
+
+def tick_label(value, _):
+    """A number on an axis, by itself: 1e-15, 3.5e7, 0.25."""
+    return re.sub(r"e([+-])0*(\d)", lambda match: "e" + match[1].strip("+") + match[2], f"{value:.6g}").replace("-", "\N{MINUS SIGN}")
 
 
 def svg_of(plot, key):

@@ -18,6 +18,7 @@ import plots
 
 USAGE, FILES = 1, 5  # exit codes, as those of mortise itself
 LOG_LINES = 40
+PICTURE_TRIES = 4
 RUN_FILES = ["summary.json", "history.csv", "manifest.txt"]  # one of them makes a folder the folder of a run
 OUTCOMES = {
     0: "done", 1: "wrong command line", 2: "error in the deck", 3: "error in a mesh", 4: "no step converged at the smallest dt",
@@ -145,6 +146,22 @@ def seconds_of(summary, history):
     return {}
 
 
+def make_picture(program, results, time, file):
+    """Why there is no picture, '' where there is one. Tried again, as a virtual display that starts while another ends may fail."""
+    failure = ""
+    for _ in range(PICTURE_TRIES):
+        file.unlink(missing_ok=True)
+        try:
+            done = subprocess.run([program, str(results), "-o", str(file), "--time", repr(time)], stdin=subprocess.DEVNULL,
+                                  capture_output=True, text=True, errors="replace", timeout=300)
+        except (OSError, subprocess.TimeoutExpired) as error:
+            return str(error)
+        if done.returncode == 0 and file.is_file():
+            return ""
+        failure = " ".join(done.stderr.strip().splitlines()[-1:])
+    return failure or f"exit code {done.returncode}"
+
+
 def pictures_of(program, results, times):
     """PNG data of the first, middle and last frame, with their times; and the reason where there is none."""
     chosen = sorted({times[0], times[len(times) // 2], times[-1]})
@@ -152,15 +169,9 @@ def pictures_of(program, results, times):
     with tempfile.TemporaryDirectory() as scratch:
         for time in chosen:
             file = Path(scratch, "frame.png")
-            file.unlink(missing_ok=True)
-            try:
-                done = subprocess.run([program, str(results), "-o", str(file), "--time", repr(time)], stdin=subprocess.DEVNULL,
-                                      capture_output=True, text=True, errors="replace", timeout=300)
-                failure = done.stderr.strip().splitlines()[-1:] if done.returncode or not file.is_file() else None
-            except (OSError, subprocess.TimeoutExpired) as error:
-                failure = [str(error)]
-            if failure is not None:
-                return found, f"tools/picture failed at t = {time:g}: {' '.join(failure)}"
+            failure = make_picture(program, results, time, file)
+            if failure:
+                return found, f"tools/picture failed at t = {time:g}: {failure}"
             found.append((time, base64.b64encode(file.read_bytes()).decode("ascii")))
     return found, ""
 
