@@ -172,7 +172,7 @@ def course_plots(history, left_out):
     effort = {in_words(n): of_steps(history, n) for n in ["newton_iterations", "cuts"] if n in history}
     shown = {name: v for name, v in effort.items() if largest([v]) > 0}
     if shown:
-        note = "" if "cuts" in shown else "No accepted step was cut before."
+        note = "" if "cuts" in shown else "No accepted step needed a cut."
         yield Plot("Newton iterations and cuts", history["time"], [Series(n, v) for n, v in shown.items()], "per accepted step", note,
                    steps=True, from_zero=True, whole=True)
     if "dt" in history:
