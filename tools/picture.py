@@ -26,6 +26,7 @@ def arguments():
     parser.add_argument("--field", help="a nodal field; default: von_mises, else the first one there is")
     parser.add_argument("--range", metavar="LOW,HIGH", help="of the colours; default: all values of the frame")
     parser.add_argument("--sides", action="store_true", help="the side sets, each in a colour of its own with its name")
+    parser.add_argument("--cut", metavar="x,y,z", help="with --sides: leave out the elements on this side of the middle")
     parser.add_argument("--width", type=int, default=WIDTH, help=f"of the picture in pixels, default: {WIDTH}")
     parser.add_argument("--view", action="append", metavar="x,y,z",
                         help="from the scene to the eye, default: -0.45,-1,0.6; a further --view makes a further picture OUT_2.png")
@@ -33,16 +34,17 @@ def arguments():
     words, joined = sys.argv[1:], []
     while words:
         word = words.pop(0)
-        joined.append(word + "=" + words.pop(0) if word in ("--view", "--time", "--range") and words else word)
+        joined.append(word + "=" + words.pop(0) if word in ("--view", "--time", "--range", "--cut") and words else word)
     options = parser.parse_args(joined)
     if not os.path.isfile(options.results):
         parser.error(f"no such file: {options.results}")
     try:
         options.view = [[float(c) for c in view.split(",")] for view in options.view or ["-0.45,-1,0.6"]]
-        if any(len(view) != 3 or not any(view) for view in options.view):
+        options.cut = [float(c) for c in options.cut.split(",")] if options.cut else None
+        if any(len(view) != 3 or not any(view) for view in options.view + ([options.cut] if options.cut else [])):
             raise ValueError
     except ValueError:
-        parser.error("--view takes three numbers, not all zero, separated by commas")
+        parser.error("--view and --cut take three numbers, not all zero, separated by commas")
     try:
         options.range = [float(c) for c in options.range.split(",")] if options.range else None
         if options.range and not (len(options.range) == 2 and options.range[0] < options.range[1]):
@@ -87,22 +89,41 @@ def shown_points(reader):
     return numpy.vstack([numpy.asarray(block) for block in getattr(blocks, "Arrays", [blocks])])
 
 
-def show_sides(file, reader, view):
-    """Each side set in a colour of its own, and its name in a line of that colour below."""
+def show_sides(file, reader, view, cut, font):
+    """Each side set in a colour of its own. Returns their names as texts in these colours, to be placed, and what a cut lays open."""
+    def show(source, rgb):
+        display = Show(cut_open(source, reader, cut) if cut else source, view)
+        style(display)
+        display.Ambient, display.Diffuse = 0.5, 0.5
+        display.ColorArrayName = ["POINTS", ""]
+        display.DiffuseColor = display.AmbientColor = rgb
+        return display
+
+    inside = show(reader, [0.85, 0.85, 0.85]) if cut else None
+    labels = []
     for number, name in enumerate(reader.GetProperty("SideSetArrayStatus").Available):
+        rgb = SIDE_COLOURS[number % len(SIDE_COLOURS)]
         sides = ExodusIIReader(FileName=[os.path.abspath(file)])
         sides.ElementBlocks = []
         sides.SideSetArrayStatus = [name]
-        display = Show(sides, view)
-        style(display)
-        display.ColorArrayName = ["POINTS", ""]
-        display.DiffuseColor = display.AmbientColor = SIDE_COLOURS[number % len(SIDE_COLOURS)]
+        show(sides, rgb)
         label = Show(Text(Text=name.split(" ID:")[0]), view)
-        label.Color = [0.75 * c for c in SIDE_COLOURS[number % len(SIDE_COLOURS)]]
+        label.Color = [0.7 * c for c in rgb]
         label.Bold = 1
-        label.FontSize = 3 * FONT
+        label.FontSize = font
         label.WindowLocation = "Any Location"
-        label.Position = [0.03 + 0.33 * (number % 3), 0.11 - 0.09 * (number // 3)]
+        labels.append(label)
+    return labels, inside
+
+
+def cut_open(source, reader, normal):
+    """What lies behind the plane through the middle of the mesh, in whole elements."""
+    half = Clip(Input=source, Crinkleclip=1)
+    half.ClipType = "Plane"
+    low_high = reader.GetDataInformation().GetBounds()
+    half.ClipType.Origin = [0.5 * (low_high[2 * i] + low_high[2 * i + 1]) for i in range(3)]
+    half.ClipType.Normal = normal
+    return half
 
 
 def style(display):
@@ -177,8 +198,9 @@ def main():
     view.Background = [1.0, 1.0, 1.0]
     view.OrientationAxesLabelColor = [0.0, 0.0, 0.0]
     view.ViewTime = time
+    side_labels, inside = [], None
     if options.sides:
-        show_sides(options.results, reader, view)
+        side_labels, inside = show_sides(options.results, reader, view, options.cut, round(2 * FONT * options.width / WIDTH))
     else:
         display = Show(reader, view)
         style(display)
@@ -199,6 +221,10 @@ def main():
     for number, eye in enumerate(options.view, 1):
         out = options.out if number == 1 else f"{stem}_{number}{ending or '.png'}"
         height = place_camera(view, points, eye)
+        if inside:  # away from the eye, which a parallel projection does not show: so that the sides lie before it
+            inside.Position = list(-0.01 * numpy.ptp(points) * numpy.array(eye) / numpy.linalg.norm(eye))
+        for k, label in enumerate(side_labels):  # below the mesh, in rows of three
+            label.Position = [0.2 + 0.25 * (k % 3), (FOOT - 80 * (1 + k // 3)) / height]
         Render(view)
         SaveScreenshot(out, view, ImageResolution=[options.width, round(options.width * height / WIDTH)], TransparentBackground=0)
         print(f"picture: {os.path.abspath(out)}")

@@ -23,7 +23,8 @@ inline bool is_sha256(const std::string& text) {
 template <class Fields>
 void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
   f.kind("recipe", o.recipe, recipe,
-         "a shape that is meshed with hexahedra; it makes one element block, with the name of the recipe");
+         "a shape that is meshed with hexahedra; it makes one element block, named after the recipe (a graded block too is a "
+         "block)");
   f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
   f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
   f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,

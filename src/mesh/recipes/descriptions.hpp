@@ -12,6 +12,7 @@
 namespace mortise::recipes {
 
 inline const Bound element_count = within(1, 1e6);
+inline const Bound size_ratio = within(1e-6, 1e6).because("beyond that elements are flat");
 
 /// @param n_nodes a bound of the number of nodes from above
 template <class Fields>
@@ -43,7 +44,7 @@ void describe(Fields& f, Block& o) {
 template <class Fields>
 void describe(Fields& f, GradedBlock& o) {
   describe_box(f, o, "edge lengths in x, y, z");
-  f.optional("grading", o.grading, positive, "-", "size of the last element over the size of the first, in x, y, z");
+  f.optional("grading", o.grading, size_ratio, "-", "size of the last element over the size of the first, in x, y, z");
 }
 
 /// Radii of a wall.
@@ -60,7 +61,7 @@ void describe(Fields& f, HollowSphere& o) {
   describe_wall(f, o, "shell");
   f.optional("elements", o.elements, element_count, "-",
              "number of elements along an edge of the cube (a quarter of a great circle), through the wall");
-  f.optional("grading", o.grading, positive, "-", "size of the outermost element over that of the innermost");
+  f.optional("grading", o.grading, size_ratio, "-", "size of the outermost element over that of the innermost");
   limit_nodes(f, 6 * (o.elements[0] + 1.) * lattice_nodes(o.elements));
 }
 
@@ -69,7 +70,7 @@ void describe(Fields& f, Torus& o) {
   f.required("ring radius", o.ring_radius, positive, "length", "radius of the centre line of the tube");
   describe_wall(f, o, "tube");
   f.optional("elements", o.elements, element_count, "-", "number of elements around the ring, around the tube, through the wall");
-  f.optional("grading", o.grading, positive, "-", "size of the outermost element over that of the innermost");
+  f.optional("grading", o.grading, size_ratio, "-", "size of the outermost element over that of the innermost");
   f.rule("D08", {"ring radius", "outer radius"}, o.ring_radius > o.outer_radius, "must be greater than \"outer radius\"",
          " = " + shortest(o.outer_radius));
   f.rule("D08", {"elements"}, o.elements[0] >= 3 && o.elements[1] >= 3, "must be at least 3 around the ring and the tube");
@@ -82,7 +83,7 @@ void describe(Fields& f, Cylinder& o) {
   f.required("height", o.height, positive, "length", "length along z");
   f.optional("elements", o.elements, element_count, "-",
              "number of elements along a side of the core (a quarter of the circumference), through the shells, along z");
-  f.optional("grading", o.grading, positive, "-",
+  f.optional("grading", o.grading, size_ratio, "-",
              "size of the last element over that of the first, outwards through the shells, along z");
   const double core = o.elements[0] + 1.;
   limit_nodes(f, (core * core + 4 * core * (o.elements[1] + 1.)) * (o.elements[2] + 1.));
@@ -93,7 +94,7 @@ void describe(Fields& f, HollowCylinder& o) {
   describe_wall(f, o, "tube");
   f.required("height", o.height, positive, "length", "length along z");
   f.optional("elements", o.elements, element_count, "-", "number of elements around, through the wall, along z");
-  f.optional("grading", o.grading, positive, "-",
+  f.optional("grading", o.grading, size_ratio, "-",
              "size of the last element over that of the first, outwards through the wall, along z");
   f.rule("D08", {"elements"}, o.elements[0] >= 3, "must be at least 3 around");
   limit_nodes(f, lattice_nodes(o.elements));
@@ -114,7 +115,7 @@ void describe(Fields& f, RingSector& o) {
   f.required("angle", o.angle, between(0, 360).because("the whole ring is the recipe \"hollow cylinder\""), "degrees",
              "angle of the sector");
   f.optional("elements", o.elements, element_count, "-", "number of elements around, through the wall, along z");
-  f.optional("grading", o.grading, positive, "-",
+  f.optional("grading", o.grading, size_ratio, "-",
              "size of the last element over that of the first, around, outwards through the wall, along z");
   f.rule("D08", {"elements", "angle", "grading"}, widest_element(o) <= 120,
          "must be so many around that each spans at most 120 degrees");
@@ -132,7 +133,7 @@ void describe(Fields& f, CurvedIndenter& o) {
   f.required("radius", o.radius, positive, "length", "radius of the lower face");
   f.choice("shape", o.shape, Choices<Shape>{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}, Presence::optional,
            "what the lower face is a part of; the axis of the cylinder is along y");
-  f.optional("grading", o.grading, positive, "-",
+  f.optional("grading", o.grading, size_ratio, "-",
              "in x and y: size of elements at the rim over that at the crown; in z: of the last over the first");
   const double reach = 0.5 * (o.shape == Shape::sphere ? std::hypot(o.size[0], o.size[1]) : o.size[0]);
   f.rule("D08", {"radius", "size"}, o.radius >= reach, "must reach to the rim of the lower face",
@@ -146,7 +147,7 @@ void describe(Fields& f, Wedge& o) {
   describe_box(f, o, "edge lengths in x, y, z; the height is that of the left side");
   f.required("slope", o.slope, anything, "-",
              "rise of the top face over its run in x: the tangent of its angle; may be negative");
-  f.optional("grading", o.grading, positive, "-", "size of the last element over the size of the first, in x, y, z");
+  f.optional("grading", o.grading, size_ratio, "-", "size of the last element over the size of the first, in x, y, z");
   f.rule("D08", {"slope", "size"}, o.size[2] + o.slope * o.size[0] > 0, "must leave the right side a positive height");
 }
 

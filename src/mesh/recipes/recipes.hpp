@@ -1,8 +1,8 @@
 // Meshes made by a recipe: the shapes that need no file, and what each of them is told.
 //
-// Every recipe makes one block of hex8 named after its word in the deck, side sets and node sets of the same names, and numbers
-// counted from 1; the same data give the same mesh to the last bit. A new recipe is one struct here with its line in `Recipe`,
-// its description in descriptions.hpp and one short file with its map.
+// Every recipe makes one block of hex8 named after its word in the deck (the graded block's is "block" too), side sets and node
+// sets of the same names, and numbers counted from 1; the same data give the same mesh to the last bit. A new recipe is one
+// struct here with its line in `Recipe`, its description in descriptions.hpp and one short file with its map.
 #pragma once
 
 #include <array>

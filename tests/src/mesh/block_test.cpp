@@ -86,7 +86,10 @@ TEST(GradedBlock, WithRatioOneIsTheUniformBlock) {
 
 TEST(GradedBlock, RefusesImpossibleData) {
   expect_words(mesh_error_of([] { block({1, -2, 1}, {1, 1, 0}); }), {"M41", "\"size\" = {1, -2, 1}", "\"elements\" = {1, 1, 0}"});
-  expect_words(mesh_error_of([] { graded_block({1, 1, 1}, {1, 1, 1}, {0, 1, 1}); }), {"M41", "\"grading\" = {0, 1, 1} - entry 1, 0, must be > 0"});
+  expect_words(mesh_error_of([] {
+                 graded_block({1, 1, 1}, {1, 1, 1}, {0, 1, 1});
+               }),
+               {"M41", "\"grading\" = {0, 1, 1} - entry 1, 0, must be in [1e-06, 1000000]"});
   expect_words(mesh_error_of([] { block({1, 1, std::nan("")}, {1, 1, 1}); }), {"M41", "size"});
   expect_words(mesh_error_of([] { block({1, 1, 1}, {100000, 100000, 100000}); }), {"M41", "\"elements\"", "2^31 nodes"});
 }
