@@ -146,13 +146,25 @@ def seconds_of(summary, history):
     return {}
 
 
-def make_picture(program, results, time, file):
+def colour_range(results, times, chosen):
+    """Option that gives all pictures the same colours: from 0 to the greatest von Mises stress of the chosen frames. [] without one."""
+    try:
+        with netCDF4.Dataset(results) as data:
+            names = [str(name).strip() for name in netCDF4.chartostring(data["name_nod_var"][:])]
+            stress = data[f"vals_nod_var{names.index('von_mises') + 1}"]
+            greatest = max(float(stress[times.index(time)].max()) for time in chosen)
+    except (OSError, IndexError, ValueError):
+        return []
+    return ["--range", f"0,{greatest!r}"] if greatest > 0 else []
+
+
+def make_picture(program, results, time, colours, file):
     """Why there is no picture, '' where there is one. Tried again, as a virtual display that starts while another ends may fail."""
     failure = ""
     for _ in range(PICTURE_TRIES):
         file.unlink(missing_ok=True)
         try:
-            done = subprocess.run([program, str(results), "-o", str(file), "--time", repr(time)], stdin=subprocess.DEVNULL,
+            done = subprocess.run([program, str(results), "-o", str(file), "--time", repr(time), *colours], stdin=subprocess.DEVNULL,
                                   capture_output=True, text=True, errors="replace", timeout=300)
         except (OSError, subprocess.TimeoutExpired) as error:
             return str(error)
@@ -166,10 +178,11 @@ def pictures_of(program, results, times):
     """PNG data of the first, middle and last frame, with their times; and the reason where there is none."""
     chosen = sorted({times[0], times[len(times) // 2], times[-1]})
     found = []
+    colours = colour_range(results, times, chosen)
     with tempfile.TemporaryDirectory() as scratch:
         for time in chosen:
             file = Path(scratch, "frame.png")
-            failure = make_picture(program, results, time, file)
+            failure = make_picture(program, results, time, colours, file)
             if failure:
                 return found, f"tools/picture failed at t = {time:g}: {failure}"
             found.append((time, base64.b64encode(file.read_bytes()).decode("ascii")))
