@@ -52,13 +52,13 @@ sed -e '/<ParameterList name="expected">/,$d' -e 's/-1e4\*t/-1e4*t - 1e12*max(t-
 say '</ParameterList>' >>fails.xml
 sed -e 's/name="title" type="string" value="[^"]*"/name="title" type="string" value="\&lt;b\&gt;\&amp;ü"/' \
   -e 's/upper on lower/a \&lt;i\&gt; \&amp; $b$ ü/' -e 's/value="36000000"/value="36000100"/' "$deck" >title.xml
-run 0 "$deck" done
+run 0 "$deck" "done"
 run 4 fails.xml fails
 run 7 title.xml title
-cp -r done killed
+cp -r "done" killed
 rm killed/summary.json
 head -c -20 done/history.csv >killed/history.csv
-cp -r done one_row
+cp -r "done" one_row
 rm one_row/summary.json
 head -n 2 done/history.csv >one_row/history.csv
 
