@@ -1,7 +1,8 @@
-// Vectors and second-order tensors in three dimensions, over any scalar: double, or a forward-AD type.
+// Vectors and second-order tensors in three dimensions, over any scalar: double, a forward-AD type, complex numbers.
 #pragma once
 
 #include <cmath>
+#include <complex>
 #include <type_traits>
 
 namespace mortise {
@@ -15,6 +16,9 @@ double value(const T& x) {
     return value(x.val());
   }
 }
+
+/// The real part, for complex steps.
+inline double value(const std::complex<double>& x) { return x.real(); }
 
 template <class T>
 struct Vec3 {

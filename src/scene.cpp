@@ -7,6 +7,7 @@
 #include <map>
 
 #include "errors.hpp"
+#include "make_material.hpp"
 #include "mesh/contact_sides.hpp"
 #include "mesh/suspicions.hpp"
 #include "physics/elements/hex8.hpp"
@@ -17,19 +18,6 @@ namespace mortise {
 namespace {
 
 using Path = std::vector<std::string>;
-
-Material make_material(const MaterialOptions& o) {
-  const Moduli moduli{o.youngs_modulus, o.poissons_ratio};
-  switch (o.model) {
-    case MaterialModel::neo_hookean:
-      return NeoHookean::from(moduli);
-    case MaterialModel::neo_hookean_isochoric:
-      return NeoHookeanIsochoric::from(moduli);
-    case MaterialModel::saint_venant_kirchhoff:
-      return SaintVenantKirchhoff::from(moduli);
-  }
-  throw std::logic_error("a material model without a material");
-}
 
 template <class T>
 const T& named(const Named<T>& list, const std::string& name) {
@@ -51,6 +39,7 @@ class SceneMaker {
     scene_.output = options_.output;
     scene_.checkpoints = options_.checkpoints;
     scene_.expected = options_.expected;
+    warn_of_odd_materials();
     make_bodies();
     stop_at_errors();  // what follows needs bodies
     make_supports();
@@ -90,6 +79,12 @@ class SceneMaker {
     return fmt::format("no such set{}; the meshes have: {}", did_you_mean(name, names), join(names));
   }
 
+  void warn_of_odd_materials() {
+    for (const auto& [name, o] : options_.materials)
+      if (const std::string what = oddity(make_material(o)); !what.empty())
+        warnings_.push_back(fmt::format("materials > {}: {}", name, what));
+  }
+
   void make_bodies() {
     const Mesh& mesh = scene_.mesh.mesh;
     std::vector<int> first_of_block{0};
@@ -111,8 +106,12 @@ class SceneMaker {
                             join(names)));
         }
       }
-      const MaterialOptions& material = named(options_.materials, o.material);
-      Body body{name, make_material(material), o.tangent, {}, {}, material.youngs_modulus, 0};
+      const MaterialOptions& of_material = named(options_.materials, o.material);
+      const Material material = make_material(of_material);
+      if (std::visit([](const auto& one) { return is_incompressible<std::decay_t<decltype(one)>>(); }, material))
+        error("D19", {"bodies", name, "material"},
+              "the material is incompressible - elements without a pressure of their own cannot hold its volume");
+      Body body{name, material, o.tangent, {}, {}, small_strain_moduli(material).youngs_modulus(), 0, of_material.density};
       for (int b : blocks) {
         if (!owner[b].empty())
           error("D19", {"bodies", name},

@@ -20,10 +20,11 @@ struct Body {
   std::string name;
   Material material;
   TangentKind tangent;
-  std::vector<int> elements;  ///< numbers over all blocks, ascending
-  std::vector<int> nodes;     ///< ascending
-  double youngs_modulus;      ///< [Pa], for scales
-  double size;                ///< edge of a cube with the mean element volume [m]
+  std::vector<int> elements;      ///< numbers over all blocks, ascending
+  std::vector<int> nodes;         ///< ascending
+  double youngs_modulus;          ///< at small strain [Pa], for scales
+  double size;                    ///< edge of a cube with the mean element volume [m]
+  std::optional<double> density;  ///< mass per reference volume [kg/m^3]
 };
 
 /// Prescribed displacement of one component of one node: q = X + u(t).

@@ -1,8 +1,8 @@
 // Compressible neo-Hookean solid with logarithmic volumetric energy.
 #pragma once
 
+#include "physics/materials/invariants.hpp"
 #include "physics/materials/moduli.hpp"
-#include "physics/tensor.hpp"
 
 namespace mortise {
 
@@ -14,6 +14,7 @@ struct NeoHookean {
   double lame_lambda;    ///< lambda [Pa]
 
   static NeoHookean from(const Moduli& m) { return {m.shear_modulus(), m.lame_lambda()}; }
+  Moduli small_strain() const { return Moduli::from_shear_and_lambda(shear_modulus, lame_lambda); }
 
   /// Strain energy per unit reference volume [J/m^3]; needs J = det F > 0.
   template <class T>
@@ -28,11 +29,14 @@ struct NeoHookean {
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
     using std::log;
     const T J = det(F);
-    const T beta = (lame_lambda * log(J) - shear_modulus) / J;
-    Tensor3<T> P = cofactor(F);
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) P(i, j) = shear_modulus * F(i, j) + beta * P(i, j);
-    return P;
+    const T W_J = (lame_lambda * log(J) - shear_modulus) / J;
+    return stress_of_I1_J(F, T(0.5 * shear_modulus), W_J);
+  }
+
+  /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa] by the chain rule of invariants.hpp.  Needs J > 0.
+  void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
+    const double J = det(F), W_J = (lame_lambda * std::log(J) - shear_modulus) / J;
+    moduli_of_I1_J(F, 0.5 * shear_modulus, W_J, 0, (lame_lambda / J - W_J) / J, P, A);
   }
 };
 

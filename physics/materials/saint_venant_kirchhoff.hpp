@@ -15,6 +15,7 @@ struct SaintVenantKirchhoff {
   double lame_lambda;    ///< lambda [Pa]
 
   static SaintVenantKirchhoff from(const Moduli& m) { return {m.shear_modulus(), m.lame_lambda()}; }
+  Moduli small_strain() const { return Moduli::from_shear_and_lambda(shear_modulus, lame_lambda); }
 
   /// Strain energy per unit reference volume [J/m^3].
   template <class T>
@@ -27,15 +28,38 @@ struct SaintVenantKirchhoff {
   /// First Piola-Kirchhoff stress P = dW/dF [Pa]:  P = F (lambda tr E I + 2 mu E).
   template <class T>
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
+    return F * second_piola(F);
+  }
+
+  /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa], with S = F^-1 P and B = F F^T (thesis eq. 3.108):
+  ///   d_ik S_JL + lambda F_iJ F_kL + mu (F_iL F_kJ + B_ik d_JL)
+  void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
+    const Tensor3<double> S = second_piola(F), B = times_transpose(F, F);
+    P = F * S;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l)
+            A[3 * i + j][3 * k + l] = lame_lambda * F(i, j) * F(k, l) + shear_modulus * F(i, l) * F(k, j);
+        for (int m = 0; m < 3; ++m) {
+          A[3 * i + j][3 * i + m] += S(j, m);
+          A[3 * i + j][3 * m + j] += shear_modulus * B(i, m);
+        }
+      }
+  }
+
+ private:
+  /// S = lambda tr E I + 2 mu E  [Pa] (thesis eq. 3.107).
+  template <class T>
+  Tensor3<T> second_piola(const Tensor3<T>& F) const {
     Tensor3<T> S = green_lagrange(F);
     const T pressure = lame_lambda * (S(0, 0) + S(1, 1) + S(2, 2));
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) S(i, j) = 2.0 * shear_modulus * S(i, j);
     for (int i = 0; i < 3; ++i) S(i, i) += pressure;
-    return F * S;
+    return S;
   }
 
- private:
   template <class T>
   static Tensor3<T> green_lagrange(const Tensor3<T>& F) {
     Tensor3<T> E = transpose_times(F, F);

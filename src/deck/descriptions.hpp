@@ -6,6 +6,7 @@
 
 #include "deck/bounds.hpp"
 #include "deck/fields.hpp"
+#include "deck/material_descriptions.hpp"
 #include "deck/options.hpp"
 #include "mesh/recipes/descriptions.hpp"
 
@@ -39,20 +40,6 @@ void describe(Fields& f, MeshOptions& o) {
   f.rule("D08", {"sha256"}, !o.sha256 || is_sha256(*o.sha256), "must have 64 hexadecimal digits, in lower case");
   describe_recipe(f, o, Presence::optional);
   f.exactly_one_of({"file", "recipe"});
-}
-
-template <class Fields>
-void describe(Fields& f, MaterialOptions& o) {
-  const Choices<MaterialModel> models{{"neo-hookean", MaterialModel::neo_hookean},
-                                      {"neo-hookean isochoric-volumetric", MaterialModel::neo_hookean_isochoric},
-                                      {"saint venant-kirchhoff", MaterialModel::saint_venant_kirchhoff}};
-  f.choice(
-      "model", o.model, models, Presence::required,
-      "strain energy; neo-hookean is thesis eq. 3.130. saint venant-kirchhoff is for small strains: it softens in compression");
-  f.required("youngs modulus", o.youngs_modulus, positive, "force/length^2", "small-strain Young's modulus");
-  f.required("poissons ratio", o.poissons_ratio,
-             between(-1., 0.5).because("at 0.5 the bulk modulus is infinite, at -1 the shear modulus is"), "-",
-             "small-strain Poisson's ratio");
 }
 
 template <class Fields>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "deck/material_options.hpp"
 #include "mesh/recipes/recipes.hpp"
 
 namespace mortise {
@@ -22,14 +23,6 @@ struct MeshOptions {
   std::optional<Recipe> recipe;
   std::array<double, 3> origin{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 1, 0};  ///< axis x, y, z and degrees; applied before origin
-};
-
-enum class MaterialModel { neo_hookean, neo_hookean_isochoric, saint_venant_kirchhoff };
-
-struct MaterialOptions {
-  MaterialModel model = MaterialModel::neo_hookean;
-  double youngs_modulus = 0;
-  double poissons_ratio = 0;
 };
 
 enum class TangentKind { quadrature_point, whole_element };

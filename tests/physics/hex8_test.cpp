@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "assembly/element_tangent.hpp"
-#include "benchmarks/analytic_neo_hookean.hpp"
+#include "benchmarks/analytic_tangent.hpp"
 #include "physics/materials/materials.hpp"
 #include "physics/traction.hpp"
 #include "support/gradient_check.hpp"

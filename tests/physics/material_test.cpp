@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "assembly/element_tangent.hpp"
-#include "benchmarks/analytic_neo_hookean.hpp"
+#include "benchmarks/analytic_tangent.hpp"
 #include "physics/materials/materials.hpp"
 #include "support/gradient_check.hpp"
 #include "support/references.hpp"
@@ -58,8 +58,8 @@ TYPED_TEST_SUITE(EveryMaterial, Materials);
 TYPED_TEST(EveryMaterial, IsFreeOfStressAndEnergyAtRest) {
   Random random(3);
   for (const auto& Q : {identity<double>(), random.rotation(), random.rotation()}) {
-    EXPECT_NEAR(this->material.strain_energy(Q), 0, 1e-14 * moduli.youngs_modulus);
-    EXPECT_LE(largest(entries(this->material.first_piola(Q))), 1e-14 * moduli.youngs_modulus);
+    EXPECT_NEAR(this->material.strain_energy(Q), 0, 1e-14 * moduli.youngs_modulus());
+    EXPECT_LE(largest(entries(this->material.first_piola(Q))), 1e-14 * moduli.youngs_modulus());
   }
 }
 
@@ -67,7 +67,7 @@ TYPED_TEST(EveryMaterial, HasAnEnergyUnchangedByRotationOfSpace) {
   Random random(4);
   for (const auto& F : some_deformations()) {
     const double W = this->material.strain_energy(F);
-    EXPECT_NEAR(this->material.strain_energy(random.rotation() * F), W, 1e-13 * (W + moduli.youngs_modulus));
+    EXPECT_NEAR(this->material.strain_energy(random.rotation() * F), W, 1e-13 * (W + moduli.youngs_modulus()));
   }
 }
 
@@ -75,7 +75,7 @@ TYPED_TEST(EveryMaterial, IsIsotropic) {
   Random random(5);
   for (const auto& F : some_deformations()) {
     const double W = this->material.strain_energy(F);
-    EXPECT_NEAR(this->material.strain_energy(F * random.rotation()), W, 1e-13 * (W + moduli.youngs_modulus));
+    EXPECT_NEAR(this->material.strain_energy(F * random.rotation()), W, 1e-13 * (W + moduli.youngs_modulus()));
   }
 }
 
@@ -84,7 +84,7 @@ TYPED_TEST(EveryMaterial, HasAStressThatTurnsWithSpace) {
   for (const auto& F : some_deformations()) {
     const auto Q = random.rotation();
     const auto turned = entries(Q * this->material.first_piola(F)), stress = entries(this->material.first_piola(Q * F));
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress[k], turned[k], 1e-13 * (largest(turned) + moduli.youngs_modulus));
+    for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress[k], turned[k], 1e-13 * (largest(turned) + moduli.youngs_modulus()));
   }
 }
 
@@ -152,25 +152,13 @@ TEST(NeoHookeanSolid, CannotBeFlattened) {
   }
 }
 
-TEST(NeoHookeanSolid, HasTheModuliDerivedByHand) {
-  const auto material = NeoHookean::from(moduli);
-  for (const auto& F : some_deformations()) {
-    const auto by_ad = moduli_of(material, F);
-    Tensor3<double> P;
-    double A[9][9];
-    analytic_stress_and_moduli(material, F, P, A);
-    for (int k = 0; k < 81; ++k) EXPECT_NEAR(by_ad[k], A[k / 9][k % 9], 1e-13 * largest(by_ad));
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(material.first_piola(F)(k / 3, k % 3), P(k / 3, k % 3), 1e-13 * largest(by_ad));
-  }
-}
-
 /// Energy, stress and moduli at the 16 deformation gradients of the references, from 80-digit differences of the energy alone.
 template <class M>
 void expect_reference_values(const M& material, const std::string& name) {
   if (!have_reference("materials.json")) GTEST_SKIP() << no_reference("materials.json");
   const auto values = reference("materials.json");
-  ASSERT_DOUBLE_EQ(values["parameters"]["E"].get<double>(), moduli.youngs_modulus);
-  ASSERT_DOUBLE_EQ(values["parameters"]["nu"].get<double>(), moduli.poissons_ratio);
+  ASSERT_DOUBLE_EQ(values["parameters"]["E"].get<double>(), moduli.youngs_modulus());
+  ASSERT_DOUBLE_EQ(values["parameters"]["nu"].get<double>(), moduli.poissons_ratio());
   int n_compared = 0;
   for (const auto& [label, rows] : values["F"].items()) {
     const auto& expected = values["results"][name + "|" + label];

@@ -146,6 +146,11 @@ inline const std::string block_deck = R"deck(<ParameterList name="block">
 </ParameterList>
 )deck";
 
+/// The parameters of the material of `block_deck`, from the 9th line, 7th column on.
+inline const std::string elastic_parameters = R"deck(<Parameter name="model" type="string" value="neo-hookean"/>
+      <Parameter name="youngs modulus" type="double" value="2.5"/>
+      <Parameter name="poissons ratio" type="double" value="0.25"/>)deck";
+
 inline std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
   return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>";
 }

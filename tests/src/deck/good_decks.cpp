@@ -19,8 +19,7 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
   EXPECT_EQ(o.meshes[1].second.origin, (std::array<double, 3>{1, 1.5, 3}));
   ASSERT_EQ(o.materials.size(), 2u);
   EXPECT_EQ(o.materials[1].first, "stiff");
-  EXPECT_EQ(o.materials[1].second.model, MaterialModel::neo_hookean);
-  EXPECT_EQ(o.materials[1].second.youngs_modulus, 1000);
+  EXPECT_EQ(std::get<models::NeoHookean>(*o.materials[1].second.model).youngs_modulus, 1000);
   EXPECT_EQ(o.materials[1].second.poissons_ratio, 0.3);
   ASSERT_EQ(o.bodies.size(), 2u);
   EXPECT_EQ(o.bodies[1].second.mesh, "indenter");
@@ -115,18 +114,67 @@ TEST(Deck, TakesEveryListOfTheReference) {
   EXPECT_EQ(o.expected[0].second.quantity, "displacement_z.corner");
 }
 
-TEST(Deck, TakesEveryMaterialByItsName) {
-  for (const auto& [name, model] : {std::pair{"neo-hookean", MaterialModel::neo_hookean},
-                                    {"neo-hookean isochoric-volumetric", MaterialModel::neo_hookean_isochoric},
-                                    {"saint venant-kirchhoff", MaterialModel::saint_venant_kirchhoff}}) {
-    EXPECT_EQ(read_text(with(block_deck, "neo-hookean", name)).materials[0].second.model, model);
-  }
+/// `block_deck` with another material.
+DeckOptions with_material(const std::string& parameters) { return read_text(with(block_deck, elastic_parameters, parameters)); }
+
+template <class Model>
+Model model_of(const DeckOptions& o) {
+  return std::get<Model>(*o.materials.at(0).second.model);
+}
+
+TEST(Deck, TakesEveryElasticModelByItsName) {
+  std::vector<std::string> held;
+  const std::vector<std::string> names{"linear elastic", "saint venant-kirchhoff", "neo-hookean", "neo-hookean power-law",
+                                       "neo-hookean isochoric-volumetric"};
+  for (const auto& name : names)
+    held.push_back(name_of_kind(*read_text(with(block_deck, "neo-hookean", name)).materials[0].second.model));
+  EXPECT_EQ(held, names);
+}
+
+TEST(Deck, TakesTheModelsThatHaveParametersOfTheirOwn) {
+  const auto model = [](const std::string& name) { return parameter("model", "string", name); };
+  const std::string c1_c2 = parameter("c1", "double", "3") + parameter("c2", "double", "-1"),
+                    kappa = parameter("bulk modulus", "double", "50"),
+                    series = parameter("exponents", "Array(double)", "{1.3, 5, -2}") +
+                             parameter("moduli", "Array(double)", "{6300, 12, -100}");
+  const auto mooney_rivlin =
+      model_of<models::MooneyRivlin>(with_material(model("mooney-rivlin") + c1_c2 + parameter("c", "double", "7")));
+  EXPECT_EQ((std::array{mooney_rivlin.c1, mooney_rivlin.c2, mooney_rivlin.c}), (std::array{3., -1., 7.}));
+  const auto isochoric =
+      model_of<models::MooneyRivlinIsochoric>(with_material(model("mooney-rivlin isochoric-volumetric") + c1_c2 + kappa));
+  EXPECT_EQ((std::array{isochoric.c1, isochoric.c2, isochoric.bulk_modulus}), (std::array{3., -1., 50.}));
+  EXPECT_EQ(model_of<models::MooneyRivlinIncompressible>(with_material(model("mooney-rivlin incompressible") + c1_c2)).c2, -1);
+  const auto ogden =
+      model_of<models::Ogden>(with_material(model("ogden") + series + kappa + parameter("volumetric exponent", "double", "9")));
+  EXPECT_EQ(ogden.exponents, (std::vector<double>{1.3, 5, -2}));
+  EXPECT_EQ(ogden.moduli, (std::vector<double>{6300, 12, -100}));
+  EXPECT_EQ((std::array{ogden.bulk_modulus, ogden.volumetric_exponent}), (std::array{50., 9.}));
+  EXPECT_EQ(model_of<models::OgdenIncompressible>(with_material(model("ogden incompressible") + series)).moduli.size(), 3U);
+  const std::string incompressible = model("neo-hookean incompressible");
+  const auto by_shear = with_material(incompressible + parameter("shear modulus", "double", "4")),
+             by_young = with_material(incompressible + parameter("youngs modulus", "double", "12"));
+  EXPECT_EQ(model_of<models::NeoHookeanIncompressible>(by_shear).shear_modulus, 4);
+  EXPECT_EQ(model_of<models::NeoHookeanIncompressible>(by_young).youngs_modulus, 12);
+}
+
+TEST(Deck, TakesAnyUsualPairOfModuliAndADensity) {
+  const auto pair = [](const std::string& one, const std::string& other) {
+    return parameter("model", "string", "neo-hookean") + parameter(one, "double", "2") + parameter(other, "double", "3");
+  };
+  const auto lame = model_of<models::NeoHookean>(with_material(pair("shear modulus", "lame lambda")));
+  EXPECT_EQ(lame.shear_modulus, 2);
+  EXPECT_EQ(lame.lame_lambda, 3);
+  EXPECT_FALSE(lame.youngs_modulus || lame.poissons_ratio || lame.bulk_modulus);
+  const auto o = with_material(pair("bulk modulus", "shear modulus") + parameter("density", "double", "7.8e-9"));
+  EXPECT_EQ(model_of<models::NeoHookean>(o).bulk_modulus, 2);
+  EXPECT_EQ(model_of<models::NeoHookean>(o).shear_modulus, 3);
+  EXPECT_EQ(o.materials[0].second.density, 7.8e-9);
+  EXPECT_FALSE(read_text(block_deck).materials[0].second.density);
 }
 
 TEST(Deck, TakesAnIntegerWhereANumberIsWanted) {
-  EXPECT_EQ(
-      read_text(with(block_deck, R"(type="double" value="2.5")", R"(type="int" value="3")")).materials[0].second.youngs_modulus,
-      3);
+  const auto o = read_text(with(block_deck, R"(type="double" value="2.5")", R"(type="int" value="3")"));
+  EXPECT_EQ(model_of<models::NeoHookean>(o).youngs_modulus, 3);
 }
 
 TEST(Deck, TakesCommentsDeclarationsAndAByteOrderMark) {

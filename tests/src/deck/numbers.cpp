@@ -78,7 +78,7 @@ TEST(Numbers, AndFormulasAreTheSameWithADecimalCommaInTheLocale) {
   const std::string message = errors_of(with(text, R"(value="0.5")", R"(value="1234567.5")"));
   std::locale::global(before);
   std::setlocale(LC_ALL, "C");
-  EXPECT_EQ(o.materials[0].second.youngs_modulus, 12345.5);
+  EXPECT_EQ(std::get<models::NeoHookean>(*o.materials[0].second.model).youngs_modulus, 12345.5);
   EXPECT_EQ(message.find("deck.xml:28:5: error[D08] time > \"step\" = 1234567.5 - must be at most \"end\" = 2"), 0u) << message;
 }
 
