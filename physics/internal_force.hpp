@@ -1,58 +1,58 @@
-// The internal force of an element: the one statement from which residual and tangent are made.
+// What a quadrature point gives to an element: deformation gradient, forces, stiffness.
 #pragma once
 
-#include "physics/elements/hex8.hpp"
 #include "physics/tensor.hpp"
 
 namespace mortise {
 
-/// Deformation gradient F = sum_a q_a (x) grad_N_a at one Gauss point. @param q current nodal positions [m]
-template <class T>
-Tensor3<T> deformation_gradient(const double grad_N[8][3], const T q[8][3]) {
+/// Deformation gradient F = sum_a q_a (x) grad_N_a at one quadrature point. @param q current nodal positions [m], n x 3
+template <int n, class T>
+Tensor3<T> deformation_gradient(const double (&grad_N)[n][3], const T* q) {
   Tensor3<T> F;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      F(i, j) = q[0][i] * grad_N[0][j];
-      for (int a = 1; a < 8; ++a) F(i, j) += q[a][i] * grad_N[a][j];
+      F(i, j) = q[i] * grad_N[0][j];
+      for (int a = 1; a < n; ++a) F(i, j) += q[3 * a + i] * grad_N[a][j];
     }
   return F;
 }
 
-/// Adds the share of one Gauss point to the internal force:  f_a += P grad_N_a JxW  [N]  (thesis eq. 4.15).
-template <class T>
-void add_divergence(const Tensor3<T>& P, const double grad_N[8][3], double JxW, T f[8][3]) {
-  for (int a = 0; a < 8; ++a)
-    for (int i = 0; i < 3; ++i) f[a][i] += JxW * (P(i, 0) * grad_N[a][0] + P(i, 1) * grad_N[a][1] + P(i, 2) * grad_N[a][2]);
+/// Adds the share of one quadrature point to the internal force:  f_a += P grad_N_a JxW  [N]  (thesis eq. 4.15).
+template <int n, class T>
+void add_divergence(const Tensor3<T>& P, const double (&grad_N)[n][3], double JxW, T* f) {
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) f[3 * a + i] += JxW * (P(i, 0) * grad_N[a][0] + P(i, 1) * grad_N[a][1] + P(i, 2) * grad_N[a][2]);
 }
 
-/// Internal force of one element, f_a = sum_g P(F_g) grad_N_a JxW_g [N], added to `f`.
-/// @param q current nodal positions [m]
-/// @return false if det F <= 0 at a Gauss point: an inadmissible state, `f` is then of no use
-template <class T, class Material>
-bool add_internal_force(const Material& material, const Hex8Geometry& geometry, const T q[8][3], T f[8][3]) {
-  for (int g = 0; g < Hex8::n_points; ++g) {
-    const Tensor3<T> F = deformation_gradient(geometry.grad_N[g], q);
-    if (!(value(T(det(F))) > 0)) return false;
-    add_divergence(material.first_piola(F), geometry.grad_N[g], geometry.JxW[g], f);
+/// Adds the share of one quadrature point to the stiffness:  K_ai,bk += grad_N_a,J A_iJkL grad_N_b,L JxW  [N/m]  for b >= a only;
+/// `mirror` completes it. A, the derivative of a stress that has an energy, is symmetric.
+/// @param K rows of length `width`, the positions first
+template <int n>
+void add_moduli(const double A[9][9], const double (&grad_N)[n][3], double JxW, double* K, int width) {
+  for (int a = 0; a < n; ++a) {
+    double T[3][9];  // grad_N_a,J A_iJkL JxW
+    const double w0 = JxW * grad_N[a][0], w1 = JxW * grad_N[a][1], w2 = JxW * grad_N[a][2];
+    for (int i = 0; i < 3; ++i)
+      for (int kL = 0; kL < 9; ++kL) T[i][kL] = w0 * A[3 * i][kL] + w1 * A[3 * i + 1][kL] + w2 * A[3 * i + 2][kL];
+    for (int i = 0; i < 3; ++i) {
+      double* row = K + (3 * a + i) * width;
+      for (int b = a; b < n; ++b)
+        for (int k = 0; k < 3; ++k)
+          row[3 * b + k] += T[i][3 * k] * grad_N[b][0] + T[i][3 * k + 1] * grad_N[b][1] + T[i][3 * k + 2] * grad_N[b][2];
+    }
   }
-  return true;
 }
 
-/// Strain energy of one element [J]; the state must be admissible (det F > 0).
-template <class T, class Material>
-T strain_energy(const Material& material, const Hex8Geometry& geometry, const T q[8][3]) {
-  T energy = 0.0;
-  for (int g = 0; g < Hex8::n_points; ++g)
-    energy += geometry.JxW[g] * material.strain_energy(deformation_gradient(geometry.grad_N[g], q));
-  return energy;
+/// Copies the upper triangle of the leading m x m part to the lower one.
+inline void mirror(int m, double* K, int width) {
+  for (int r = 1; r < m; ++r)
+    for (int c = 0; c < r; ++c) K[r * width + c] = K[c * width + r];
 }
 
-/// Cauchy stress sigma = P F^T / J [Pa] at Gauss point g.
-template <class Material>
-Tensor3<double> cauchy_stress(const Material& material, const Hex8Geometry& geometry, int g, const double q[8][3]) {
-  const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], q);
+/// Cauchy stress sigma = P F^T / J [Pa].
+inline Tensor3<double> cauchy_stress(const Tensor3<double>& P, const Tensor3<double>& F) {
   const double J = det(F);
-  Tensor3<double> sigma = times_transpose(material.first_piola(F), F);
+  Tensor3<double> sigma = times_transpose(P, F);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) sigma(i, j) /= J;
   return sigma;

@@ -7,7 +7,8 @@
 
 namespace mortise {
 
-/// The plain value of a scalar: itself for double, the innermost value for (nested) AD types.
+/// The plain value of a scalar: itself for double, the innermost value for (nested) AD types, the real part of a complex step.
+inline double value(const std::complex<double>& x) { return x.real(); }
 template <class T>
 double value(const T& x) {
   if constexpr (std::is_arithmetic_v<T>) {
@@ -16,9 +17,6 @@ double value(const T& x) {
     return value(x.val());
   }
 }
-
-/// The real part, for complex steps.
-inline double value(const std::complex<double>& x) { return x.real(); }
 
 template <class T>
 struct Vec3 {
@@ -98,6 +96,30 @@ T norm_squared(const Tensor3<T>& F) {
   T sum = F(0, 0) * F(0, 0);
   for (int k = 1; k < 9; ++k) sum += F(k / 3, k % 3) * F(k / 3, k % 3);
   return sum;
+}
+
+/// A : B, the sum of the products of the entries.
+template <class T>
+T double_dot(const Tensor3<T>& A, const Tensor3<T>& B) {
+  T sum = A(0, 0) * B(0, 0);
+  for (int k = 1; k < 9; ++k) sum += A(k / 3, k % 3) * B(k / 3, k % 3);
+  return sum;
+}
+
+/// s A.
+template <class T>
+Tensor3<T> scaled(const T& s, const Tensor3<T>& A) {
+  Tensor3<T> B;
+  for (int k = 0; k < 9; ++k) B(k / 3, k % 3) = s * A(k / 3, k % 3);
+  return B;
+}
+
+/// A + B.
+template <class T>
+Tensor3<T> sum(const Tensor3<T>& A, const Tensor3<T>& B) {
+  Tensor3<T> C;
+  for (int k = 0; k < 9; ++k) C(k / 3, k % 3) = A(k / 3, k % 3) + B(k / 3, k % 3);
+  return C;
 }
 
 /// A B.

@@ -1,33 +1,34 @@
 // Dead traction on a side of an element: force per unit reference area in a fixed direction.
 #pragma once
 
-#include <array>
-
+#include "physics/elements/sides.hpp"
 #include "physics/tensor.hpp"
 
 namespace mortise {
 
-/// Nodal weights W_a = int N_a dA [m^2] of a bilinear side in the reference configuration; the force on node a is W_a t.
-/// @param X positions of the four nodes [m], in order around the side
-inline std::array<double, 4> side_weights(const std::array<std::array<double, 3>, 4>& X) {
-  constexpr double r =
-      0.57735026918962576451;  // 1/sqrt(3): the rule is exact for a flat parallelogram, 2nd order on warped sides
-  constexpr double corner[4][2] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
-  std::array<double, 4> weights{};
-  for (const auto& p : corner) {
-    const double s = r * p[0], t = r * p[1];
-    Vec3<double> dX_ds{}, dX_dt{};
-    double N[4];
-    for (int a = 0; a < 4; ++a) {
-      const double fs = 1 + corner[a][0] * s, ft = 1 + corner[a][1] * t;
-      N[a] = 0.25 * fs * ft;
-      for (int i = 0; i < 3; ++i) {
-        dX_ds[i] += 0.25 * corner[a][0] * ft * X[a][i];
-        dX_dt[i] += 0.25 * fs * corner[a][1] * X[a][i];
-      }
-    }
-    const double dA = norm(cross(dX_ds, dX_dt));
-    for (int a = 0; a < 4; ++a) weights[a] += N[a] * dA;
+/// Tangents dx/dxi and dx/deta [m] of a side at a local point. @param x positions of its nodes [m]
+template <class Side, class T>
+std::array<Vec3<T>, 2> side_tangents(const std::array<std::array<T, 3>, Side::n_nodes>& x, const LocalPoint& xi) {
+  std::array<Vec3<T>, 2> tangents;
+  for (auto& tangent : tangents)
+    for (int i = 0; i < 3; ++i) tangent[i] = 0.0;
+  for (int a = 0; a < Side::n_nodes; ++a) {
+    const LocalPoint dN = Side::dN_dxi(a, xi);
+    for (int k = 0; k < 2; ++k)
+      for (int i = 0; i < 3; ++i) tangents[k][i] += dN[k] * x[a][i];
+  }
+  return tangents;
+}
+
+/// Nodal weights W_a = int N_a dA [m^2] of a side in the reference configuration; the force on node a is W_a t.
+/// @param X positions of the nodes [m], in the side's order
+template <class Side>
+std::array<double, Side::n_nodes> side_weights(const std::array<std::array<double, 3>, Side::n_nodes>& X) {
+  std::array<double, Side::n_nodes> weights{};
+  for (const auto& point : Side::rule) {
+    const auto [along, across] = side_tangents<Side>(X, point.xi);
+    const double dA = point.weight * norm(cross(along, across));
+    for (int a = 0; a < Side::n_nodes; ++a) weights[a] += Side::N(a, point.xi) * dA;
   }
   return weights;
 }

@@ -21,7 +21,8 @@ ExitCode check_command(const fs::path& file, const RCP<const Comm>& comm) {
     if (!is_root) return ExitCode::done;
     std::cout << fmt::format("{}: {} nodes, {} elements\n", file.string(), n_nodes(mesh), n_elements(mesh));
     for (const auto& block : mesh.blocks)
-      std::cout << fmt::format("  block {} \"{}\": {} hex8\n", block.id, block.name, block.elements.size());
+      std::cout << fmt::format("  block {} \"{}\": {} {}\n", block.id, block.name, block.elements.size(),
+                               topology(block.elements.type()).name);
     for (const auto& set : mesh.side_sets)
       std::cout << fmt::format("  side set {} \"{}\": {} sides\n", set.id, set.name, set.sides.size());
     for (const auto& set : mesh.node_sets)

@@ -226,8 +226,7 @@ ExitCode restart_command(const RestartOptions& options, const RCP<const Comm>& c
         fmt::format("the run began with mortise {}, this is {}: digits may differ", kept.origin.program, MORTISE_VERSION));
   Setup setup(Deck::read(options.deck.value_or(kept.origin.deck_file)), comm);
   refuse_changes(kept.origin, origin_of(setup.deck), folder);
-  if (kept.x.size() != 3 * setup.scene.mesh.mesh.coordinates.size() + setup.scene.n_multipliers ||
-      kept.contact.size() != setup.scene.pairs.size())
+  if (static_cast<int>(kept.x.size()) != setup.problem.dofs().n_unknowns() || kept.contact.size() != setup.scene.pairs.size())
     throw FileError(
         fmt::format("{}: error[I10] its checkpoint holds another number of unknowns than this deck gives", folder.string()));
   setup.warnings.insert(setup.warnings.end(), warnings.begin(), warnings.end());

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <map>
 
+#include "assembly/formulations.hpp"
 #include "errors.hpp"
 #include "make_material.hpp"
 #include "mesh/contact_sides.hpp"
 #include "mesh/suspicions.hpp"
-#include "physics/elements/hex8.hpp"
+#include "physics/elements/geometry.hpp"
 #include "physics/traction.hpp"
 #include "sha256.hpp"
 
@@ -22,6 +23,15 @@ using Path = std::vector<std::string>;
 template <class T>
 const T& named(const Named<T>& list, const std::string& name) {
   return std::find_if(list.begin(), list.end(), [&](const auto& entry) { return entry.first == name; })->second;
+}
+
+/// Reference volume of element `e` [m^3].
+double element_volume(const Mesh& mesh, int e) {
+  return with_element(element_type(mesh, e), [&](auto element) {
+    ElementNodes<decltype(element)> X;
+    for (std::size_t a = 0; a < X.size(); ++a) X[a] = mesh.coordinates[element_nodes(mesh, e)[a]];
+    return volume(reference_geometry<decltype(element)>(X));
+  });
 }
 
 /// Makes the scene part by part; errors are gathered so that the user sees them together.
@@ -108,10 +118,9 @@ class SceneMaker {
       }
       const MaterialOptions& of_material = named(options_.materials, o.material);
       const Material material = make_material(of_material);
-      if (std::visit([](const auto& one) { return is_incompressible<std::decay_t<decltype(one)>>(); }, material))
-        error("D19", {"bodies", name, "material"},
-              "the material is incompressible - elements without a pressure of their own cannot hold its volume");
-      Body body{name, material, o.tangent, {}, {}, small_strain_moduli(material).youngs_modulus(), 0, of_material.density};
+      check_formulation(name, o.formulation, material);
+      Body body{name, material,           o.formulation, o.tangent, {}, {}, small_strain_moduli(material).youngs_modulus(),
+                0,    of_material.density};
       for (int b : blocks) {
         if (!owner[b].empty())
           error("D19", {"bodies", name},
@@ -123,13 +132,13 @@ class SceneMaker {
       std::sort(body.elements.begin(), body.elements.end());
       double volume = 0;
       for (int e : body.elements) {
-        std::array<Point, 8> X;
-        for (int a = 0; a < 8; ++a) X[a] = mesh.coordinates[element_nodes(mesh, e)[a]];
-        for (double w : hex8_geometry(X).JxW) volume += w;
-        body.nodes.insert(body.nodes.end(), element_nodes(mesh, e).begin(), element_nodes(mesh, e).end());
+        const ElementNodeList nodes = element_nodes(mesh, e);
+        volume += element_volume(mesh, e);
+        body.nodes.insert(body.nodes.end(), nodes.begin(), nodes.end());
       }
       std::sort(body.nodes.begin(), body.nodes.end());
       body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
+      check_elements(name, body);
       body.size = std::cbrt(volume / std::max<std::size_t>(1, body.elements.size()));
       scene_.bodies.push_back(std::move(body));
     }
@@ -137,6 +146,49 @@ class SceneMaker {
       if (owner[b].empty())
         error("D19", {"bodies"},
               fmt::format("block \"{}\" belongs to no body - every block needs a material", mesh.blocks[b].name));
+    if (errors_.empty()) number_pressures();
+  }
+
+  /// A pressure of their own is what elements of incompressible materials need, and what needs a material that is split.
+  void check_formulation(const std::string& name, FormulationKind formulation, const Material& material) {
+    std::visit(
+        [&](const auto& m) {
+          using M = std::decay_t<decltype(m)>;
+          if (formulation != FormulationKind::mixed && is_incompressible<M>())
+            error("D19", {"bodies", name, "material"},
+                  "the material is incompressible - elements without a pressure of their own cannot hold its volume: "
+                  "\"formulation\" must be \"mixed\"");
+          if (formulation == FormulationKind::mixed && !is_split<M>)
+            error(
+                "D19", {"bodies", name, "formulation"},
+                fmt::format("\"mixed\" needs a material that is split into distortion and volume, or incompressible - \"{}\" is "
+                            "not",
+                            m.name));
+        },
+        material);
+    if (formulation == FormulationKind::mixed && options_.solver.linear == LinearSolverKind::iterative)
+      error("D19", {"bodies", name, "formulation"},
+            "\"mixed\" needs the direct solver - solver > \"linear\" must be \"direct\" or \"auto\"");
+  }
+
+  void check_elements(const std::string& name, const Body& body) {
+    for (int e : body.elements) {
+      const ElementType type = element_type(scene_.mesh.mesh, e);
+      if (with_formulation(body.formulation, type, [](auto) {})) continue;
+      error("D19", {"bodies", name, "formulation"},
+            fmt::format("does not exist for {} elements ({})", topology(type).name, describe_element(scene_.mesh, e)));
+      return;
+    }
+  }
+
+  void number_pressures() {
+    std::vector<int> count(static_cast<std::size_t>(n_elements(scene_.mesh.mesh)), 0);
+    int n = 0;
+    for (const Body& body : scene_.bodies)
+      for (int e : body.elements) n += count[e] = n_pressures(body.formulation, element_type(scene_.mesh.mesh, e));
+    if (n == 0) return;
+    scene_.first_pressure = {0};
+    for (int c : count) scene_.first_pressure.push_back(scene_.first_pressure.back() + c);
   }
 
   std::vector<int> nodes_of(const std::string& name, const Path& path) {
@@ -217,10 +269,13 @@ class SceneMaker {
       if (const auto* sides = sides_of(o.set, {"loads", name, "set"}))
         for (const Side& side : sides->sides) {
           const auto nodes = side_nodes(scene_.mesh.mesh, side);
-          std::array<Point, 4> X;
-          for (int a = 0; a < 4; ++a) X[a] = scene_.mesh.mesh.coordinates[nodes[a]];
-          const auto w = side_weights(X);
-          for (int a = 0; a < 4; ++a) weights[nodes[a]] += w[a];
+          with_side(static_cast<int>(nodes.size()), [&](auto kind) {
+            using Kind = decltype(kind);
+            std::array<Point, Kind::n_nodes> X;
+            for (std::size_t a = 0; a < X.size(); ++a) X[a] = scene_.mesh.mesh.coordinates[nodes[a]];
+            const auto w = side_weights<Kind>(X);
+            for (std::size_t a = 0; a < X.size(); ++a) weights[nodes[a]] += w[a];
+          });
         }
       traction.weights.assign(weights.begin(), weights.end());
       scene_.tractions.push_back(std::move(traction));
@@ -233,8 +288,25 @@ class SceneMaker {
     return faults.empty();
   }
 
+  bool are_quadrilaterals(const SideSet& sides, const Path& path) {
+    for (const Side& side : sides.sides) {
+      const auto n = side_nodes(scene_.mesh.mesh, side).size();
+      if (n == 4) continue;
+      error("D20", path,
+            fmt::format("holds a side with {} nodes ({}) - contact surfaces have sides with 4 nodes: of hex8, or the "
+                        "quadrilaterals of wedge6",
+                        n, describe_element(scene_.mesh, side.element)));
+      return false;
+    }
+    return true;
+  }
+
+  std::array<int, 4> facet_nodes(const Side& side) const {
+    const std::vector<int> nodes = side_nodes(scene_.mesh.mesh, side);
+    return {nodes[0], nodes[1], nodes[2], nodes[3]};
+  }
+
   void make_pairs() {
-    const Mesh& mesh = scene_.mesh.mesh;
     std::map<int, std::string> secondary_of;
     for (const auto& [name, o] : options_.contact) {
       const auto* secondary = sides_of(o.secondary, {"contact", name, "secondary"});
@@ -242,15 +314,17 @@ class SceneMaker {
       if (!secondary || !primary) continue;
       const bool is_sound = is_contact_surface(*secondary, {"contact", name, "secondary"});
       if (!is_contact_surface(*primary, {"contact", name, "primary"}) || !is_sound) continue;
+      const bool is_bilinear = are_quadrilaterals(*secondary, {"contact", name, "secondary"});
+      if (!are_quadrilaterals(*primary, {"contact", name, "primary"}) || !is_bilinear) continue;
       ContactPair pair;
       pair.name = name;
       pair.where_penetrating = deck_.error("M51", {"contact", name}, "");
       pair.quadrature_degree = o.quadrature_degree;
       for (const Side& side : secondary->sides) {
-        pair.secondary.facets.push_back(side_nodes(mesh, side));
+        pair.secondary.facets.push_back(facet_nodes(side));
         pair.secondary_elements.push_back(side.element);
       }
-      for (const Side& side : primary->sides) pair.primary.facets.push_back(side_nodes(mesh, side));
+      for (const Side& side : primary->sides) pair.primary.facets.push_back(facet_nodes(side));
       pair.secondary_nodes = pair.secondary.nodes();
       const auto primary_nodes = pair.primary.nodes();
       std::vector<int> shared;
@@ -299,7 +373,7 @@ class SceneMaker {
     for (const auto& facet : surface.facets) {
       std::array<Point, 4> X;
       for (int a = 0; a < 4; ++a) X[a] = scene_.mesh.mesh.coordinates[facet[a]];
-      const auto w = side_weights(X);
+      const auto w = side_weights<Quad4>(X);
       for (int a = 0; a < 4; ++a) {
         tributary[std::lower_bound(nodes.begin(), nodes.end(), facet[a]) - nodes.begin()] += w[a];
         area += w[a];

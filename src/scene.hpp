@@ -19,6 +19,7 @@ namespace mortise {
 struct Body {
   std::string name;
   Material material;
+  FormulationKind formulation;
   TangentKind tangent;
   std::vector<int> elements;      ///< numbers over all blocks, ascending
   std::vector<int> nodes;         ///< ascending
@@ -89,6 +90,9 @@ struct Scene {
   std::vector<Traction> tractions;
   std::vector<ContactPair> pairs;
   int n_multipliers = 0;
+  /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
+  /// number. Empty: no element has any.
+  std::vector<int> first_pressure;
   std::vector<Probe> probes;
   TimeOptions time;
   SolverOptions solver;
@@ -97,6 +101,10 @@ struct Scene {
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]
   double size;         ///< smallest body element size [m]
+
+  int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
+  /// The point that carries pressure `m` of element `e` (see DofSpace).
+  int pressure_point(int e, int m) const { return n_nodes(mesh.mesh) + n_multipliers + first_pressure[e] + m; }
 
   /// Pressure that is round-off [Pa].
   double pressure_floor() const { return force_floor / (size * size); }

@@ -1,15 +1,16 @@
 // The internal force of one body as a term of the scene, and what is derived from its state.
 #pragma once
 
+#include <variant>
 #include <vector>
 
-#include "assembly/system_matrix.hpp"
-#include "physics/elements/hex8.hpp"
+#include "assembly/element_block.hpp"
+#include "assembly/formulations.hpp"
 #include "scene.hpp"
 
 namespace mortise {
 
-/// Internal force of the elements of one body that this rank owns.
+/// Internal force of the elements of one body that this rank owns: a block for each type of element.
 class BodyTerm {
  public:
   BodyTerm(const Scene& scene, const Body& body, const Partition& partition, const DofSpace& dofs);
@@ -17,29 +18,34 @@ class BodyTerm {
   /// One cell per element, appended; `add_tangent` counts from there.
   void append_cells(std::vector<Cell>& cells);
 
-  /// Adds f_int(q) to `f` (both on the overlap). @return false if a state is inadmissible on this rank
-  bool add_force(const double* q, double* f) const;
+  /// Adds f_int(x) to `f` (both on the overlap). @return false if a state is inadmissible on this rank
+  bool add_force(const double* x, double* f) const;
 
-  /// The same, and K = df_int/dq into the matrix.
-  bool add_tangent(const double* q, double* f, SystemMatrix& K) const;
+  /// The same, and K = df_int/dx into the matrix.
+  bool add_tangent(const double* x, double* f, SystemMatrix& K) const;
 
   /// Strain energy of this rank's elements [J].
-  double strain_energy(const double* q) const;
+  double strain_energy(const double* x) const;
 
-  /// Adds volume-weighted Cauchy stress (xx yy zz xy yz zx, von Mises) and volume to nodal sums, 7 and 1 per node of the mesh.
-  void add_nodal_stress(const double* q, std::vector<double>& stress, std::vector<double>& volume) const;
+  /// Calls `take` for every quadrature point of this rank's elements.
+  void sample(const double* x, const std::function<void(const PointSample&)>& take) const;
 
-  std::size_t n_elements() const { return geometry_.size(); }
+  std::size_t n_elements() const;
+  std::size_t bytes() const;  ///< kept for the elements of this rank, without the matrix
   const Body& body() const { return body_; }
 
- private:
-  void gather(std::size_t e, const double* q, double q_e[8][3]) const;
+  using Block = std::variant<ElementBlock<Standard<Hex8>>, ElementBlock<Standard<Hex20>>, ElementBlock<Standard<Hex27>>,
+                             ElementBlock<Standard<Tet4>>, ElementBlock<Standard<Tet10>>, ElementBlock<Standard<Wedge6>>,
+                             ElementBlock<FBar<Hex8>>, ElementBlock<Enhanced<Hex8>>, ElementBlock<Mixed<Hex8, 1>>,
+                             ElementBlock<Mixed<Hex27, 4>>>;
+  const std::vector<Block>& blocks() const { return blocks_; }
 
+ private:
   const Body& body_;
-  const DofSpace& dofs_;
-  std::vector<std::array<int, 8>> nodes_;  // of this rank's elements
-  std::vector<Hex8Geometry> geometry_;
-  std::size_t first_cell_ = 0;
+  std::vector<Block> blocks_;
 };
+
+/// The law by which a body's elements see its material.
+MaterialLaw law_of(const Body& body, TangentKind tangent);
 
 }  // namespace mortise

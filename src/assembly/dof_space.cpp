@@ -6,7 +6,7 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
   const Mesh& mesh = scene.mesh.mesh;
   n_nodes_ = mortise::n_nodes(mesh);
   const int rank = comm->getRank();
-  const int n_points = n_nodes_ + scene.n_multipliers;
+  const int n_points = n_nodes_ + scene.n_multipliers + scene.n_element_pressures();
   std::vector<char> needed(n_points, 0), mine(n_points, 0);
   for (int n = 0; n < n_nodes_; ++n) mine[n] = partition.node_rank[n] == rank;
   for (int e = 0; e < n_elements(mesh); ++e)
@@ -21,6 +21,11 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
     for (int node : pair.primary.nodes()) needed[node] = 1;
   }
 
+  if (!scene.first_pressure.empty())
+    for (int e = 0; e < n_elements(mesh); ++e)
+      for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
+        mine[scene.pressure_point(e, m)] = partition.element_rank[e] == rank;
+
   local_.assign(n_points, -1);
   std::vector<GlobalIndex> dofs;
   const auto append = [&](int point) {
@@ -28,8 +33,10 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
     overlap_points_.push_back(point);
     for (int i = 0; i < size(point); ++i) dofs.push_back(global(point) + i);
   };
-  for (int p = 0; p < n_points; ++p)
+  for (int p = 0; p < n_points; ++p) {
     if (mine[p]) append(p);
+    if (p < n_nodes_) n_owned_positions_ = static_cast<int>(dofs.size());
+  }
   n_owned_ = static_cast<int>(dofs.size());
   const auto invalid = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   owned_map_ = Teuchos::rcp(new Map(invalid, Teuchos::ArrayView<const GlobalIndex>(dofs.data(), n_owned_), 0, comm));

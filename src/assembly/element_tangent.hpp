@@ -1,78 +1,99 @@
-// Seeds Sacado for element residuals: the tangent at two levels of automatic differentiation, from one source.
+// The tangent of an element by every route: two levels of automatic differentiation, complex step, differences.
 #pragma once
 
 #include <Sacado.hpp>
+#include <algorithm>
+#include <complex>
+#include <limits>
 
-#include "physics/internal_force.hpp"
+#include "assembly/tangent_kind.hpp"
+#include "physics/formulations/formulation.hpp"
 
 namespace mortise {
 
-/// Derivative of the first Piola-Kirchhoff stress at one point: A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa], with P.
-template <class Material>
-void stress_and_moduli(const Material& material, const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) {
-  // The caching kind takes one logarithm per expression instead of one per direction; 10, not 9, because pairs are vectorised.
-  using Fad = Sacado::CacheFad::SFad<double, 10>;
-  Tensor3<Fad> F_ad;  // derivatives start at zero
-  for (int k = 0; k < 9; ++k) {
-    F_ad(k / 3, k % 3).val() = F(k / 3, k % 3);
-    F_ad(k / 3, k % 3).fastAccessDx(k) = 1;
-  }
-  const Tensor3<Fad> P_ad = material.first_piola(F_ad);
-  for (int k = 0; k < 9; ++k) {
-    P(k / 3, k % 3) = P_ad(k / 3, k % 3).val();
-    for (int l = 0; l < 9; ++l) A[k][l] = P_ad(k / 3, k % 3).fastAccessDx(l);
-  }
-}
-
-/// Adds the share of one Gauss point to the element tangent: K_ai,bk += grad_N_a,J A_iJkL grad_N_b,L JxW  [N/m], 24 x 24
-/// row-major.
-inline void add_moduli(const double A[9][9], const double grad_N[8][3], double JxW, double* K) {
-  for (int b = 0; b < 8; ++b) {
-    double T[9][3];
-    for (int iJ = 0; iJ < 9; ++iJ)
-      for (int k = 0; k < 3; ++k)
-        T[iJ][k] = JxW * (A[iJ][3 * k] * grad_N[b][0] + A[iJ][3 * k + 1] * grad_N[b][1] + A[iJ][3 * k + 2] * grad_N[b][2]);
-    for (int a = 0; a < 8; ++a)
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-          K[24 * (3 * a + i) + 3 * b + k] +=
-              grad_N[a][0] * T[3 * i][k] + grad_N[a][1] * T[3 * i + 1][k] + grad_N[a][2] * T[3 * i + 2][k];
-  }
-}
-
-/// Element internal force f [N] and tangent K = df/dq [N/m] by AD at the quadrature points (9 directions): the default.
-/// Both are added to. @return false for an inadmissible state
-template <class Material>
-bool quadrature_point_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3],
-                              double* K) {
-  for (int g = 0; g < Hex8::n_points; ++g) {
-    const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], q);
-    if (!(det(F) > 0)) return false;
-    Tensor3<double> P;
-    double A[9][9];
-    stress_and_moduli(material, F, P, A);
-    add_divergence(P, geometry.grad_N[g], geometry.JxW[g], f);
-    add_moduli(A, geometry.grad_N[g], geometry.JxW[g], K);
+/// Adds r(y) and K = dr/dy, (all x all) row-major, by AD of the whole residual, 24 directions at a time.
+template <class Formulation, class Law, class Geometry>
+bool whole_element_tangent(const Law& law, const Geometry& geometry, const double* y, double* r, double* K) {
+  constexpr int n = Count<Formulation>::all, chunk = 24;
+  using Fad = Sacado::Fad::SFad<double, chunk>;
+  for (int first = 0; first < n; first += chunk) {
+    const int n_seeds = std::min(chunk, n - first);
+    Fad y_ad[n], r_ad[n];
+    for (int k = 0; k < n; ++k) {
+      y_ad[k] = y[k];
+      r_ad[k] = 0.0;
+    }
+    for (int s = 0; s < n_seeds; ++s) y_ad[first + s].fastAccessDx(s) = 1;
+    if (!Formulation::add_residual(law, geometry, y_ad, r_ad)) return false;
+    for (int k = 0; k < n; ++k) {
+      if (first == 0) r[k] += r_ad[k].val();
+      for (int s = 0; s < n_seeds; ++s) K[k * n + first + s] += r_ad[k].fastAccessDx(s);
+    }
   }
   return true;
 }
 
-/// The same by AD of the whole element (24 directions): the cross-check.
-template <class Material>
-bool whole_element_tangent(const Material& material, const Hex8Geometry& geometry, const double q[8][3], double f[8][3],
-                           double* K) {
-  using Fad = Sacado::Fad::SFad<double, 24>;
-  Fad q_ad[8][3], f_ad[8][3];
-  for (int k = 0; k < 24; ++k) {
-    q_ad[k / 3][k % 3] = Fad(24, k, q[k / 3][k % 3]);
-    f_ad[k / 3][k % 3] = 0.0;
-  }
-  if (!add_internal_force(material, geometry, q_ad, f_ad)) return false;
-  for (int k = 0; k < 24; ++k) {
-    f[k / 3][k % 3] += f_ad[k / 3][k % 3].val();
-    for (int l = 0; l < 24; ++l) K[24 * k + l] += f_ad[k / 3][k % 3].fastAccessDx(l);
+/// The same by complex step (thesis eq. D.5): Im r(y + i h) / h, exact to round-off for any small h.
+template <class Formulation, class Law, class Geometry>
+bool complex_step_tangent(const Law& law, const Geometry& geometry, const double* y, const double* scale, double* r, double* K) {
+  constexpr int n = Count<Formulation>::all;
+  if (!Formulation::add_residual(law, geometry, y, r)) return false;
+  for (int l = 0; l < n; ++l) {
+    const double h = 1e-30 * scale[l];
+    std::complex<double> y_c[n], r_c[n];
+    std::copy(y, y + n, y_c);
+    y_c[l] += std::complex<double>(0, h);
+    if (!Formulation::add_residual(law, geometry, y_c, r_c)) return false;
+    for (int k = 0; k < n; ++k) K[k * n + l] += r_c[k].imag() / h;
   }
   return true;
+}
+
+/// The same by differences of first or second order (thesis eq. D.1-D.4) with steps `relative_step` x scale.
+template <class Formulation, class Law, class Geometry>
+bool difference_tangent(const Law& law, const Geometry& geometry, TangentKind kind, double relative_step, const double* y,
+                        const double* scale, double* r, double* K) {
+  constexpr int n = Count<Formulation>::all;
+  double here[n] = {};
+  if (!Formulation::add_residual(law, geometry, y, here)) return false;
+  for (int k = 0; k < n; ++k) r[k] += here[k];
+  const double ahead = kind == TangentKind::backward_differences ? 0 : 1,
+               behind = kind == TangentKind::forward_differences ? 0 : 1;
+  for (int l = 0; l < n; ++l) {
+    const double h = relative_step * scale[l];
+    double y_h[n], plus[n] = {}, minus[n] = {};
+    std::copy(y, y + n, y_h);
+    y_h[l] = y[l] + ahead * h;
+    if (!Formulation::add_residual(law, geometry, y_h, plus)) return false;
+    y_h[l] = y[l] - behind * h;
+    if (!Formulation::add_residual(law, geometry, y_h, minus)) return false;
+    for (int k = 0; k < n; ++k) K[k * n + l] += (plus[k] - minus[k]) / ((ahead + behind) * h);
+  }
+  return true;
+}
+
+/// The step, relative to the scale of an unknown, at which truncation and round-off balance.
+inline double best_step(TangentKind kind) {
+  constexpr double eps = std::numeric_limits<double>::epsilon();
+  return kind == TangentKind::central_differences ? std::cbrt(eps) : std::sqrt(eps);
+}
+
+/// r and K by any kind; both are added to. @param scale size of each unknown, for steps
+/// @return false for an inadmissible state
+template <class Formulation, class Law, class Geometry>
+bool element_tangent(TangentKind kind, const Law& law, const Geometry& geometry, const double* y, const double* scale, double* r,
+                     double* K) {
+  switch (kind) {
+    case TangentKind::quadrature_point:
+    case TangentKind::analytic:  // the law knows which
+      return Formulation::add_tangent(law, geometry, y, r, K);
+    case TangentKind::whole_element:
+      return whole_element_tangent<Formulation>(law, geometry, y, r, K);
+    case TangentKind::complex_step:
+      return complex_step_tangent<Formulation>(law, geometry, y, scale, r, K);
+    default:
+      return difference_tangent<Formulation>(law, geometry, kind, best_step(kind), y, scale, r, K);
+  }
 }
 
 }  // namespace mortise

@@ -38,6 +38,11 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& pair : scene.pairs) pairs_.push_back(std::make_unique<MortarTerm>(pair, partition, dofs_));
   external_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
   identity_rows_.assign(dofs_.n_owned(), 0);
+  for (const auto& body : scene.bodies)
+    for (int e : body.elements)
+      for (int m = 0; m < n_pressures(body.formulation, element_type(scene.mesh.mesh, e)); ++m)
+        if (const int point = scene.pressure_point(e, m); dofs_.owned(point))
+          pressure_volumes_.emplace_back(dofs_.local(point), body.size * body.size * body.size);
   if (!pairs_.empty()) find_normal_stiffness();
 }
 
@@ -48,7 +53,7 @@ RCP<Vector> StepProblem::to_overlap(const Vector& owned) const {
 }
 
 std::vector<double> StepProblem::gather(const Vector& owned) const {
-  std::vector<double> all(3 * static_cast<std::size_t>(dofs_.n_nodes()) + scene_.n_multipliers, 0.0);
+  std::vector<double> all(dofs_.n_unknowns(), 0.0);
   const auto values = owned.getData();
   for (int k = 0; k < dofs_.n_owned(); ++k) all[dofs_.owned_map()->getGlobalElement(k)] = values[k];
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, all);
@@ -104,6 +109,14 @@ void StepProblem::build_graph() {
   for (auto& pair : pairs_) pair->append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
   ++counts_.graphs;
+}
+
+// Euclidean norm over the rows of positions, of all ranks [N].
+double StepProblem::norm_of_forces(const Vector& f) const {
+  const double* values = data(f);
+  double squares = 0;
+  for (int k = 0; k < dofs_.n_owned_positions(); ++k) squares += values[k] * values[k];
+  return std::sqrt(all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, squares));
 }
 
 // Greatest motion of a contact node between two overlap vectors [m]; the same on all ranks.
@@ -203,7 +216,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   LawRows rows(dofs_.owned_map());
   if (!pairs_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
 
-  std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale};
+  std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale, 0};
   {
     double* r = data(*out.residual);
     const double* q = data(x);
@@ -213,13 +226,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       greatest[0] = std::max(greatest[0], std::abs(r[dof]));
     }
     double squares = 0;
-    for (int point : dofs_.overlap_points()) {
-      if (!dofs_.owned(point) || dofs_.size(point) != 3) continue;
-      for (int i = 0; i < 3; ++i) {
-        const int k = dofs_.local(point) + i;
-        if (!identity_rows_[k]) squares += r[k] * r[k];
-      }
-    }
+    for (int k = 0; k < dofs_.n_owned_positions(); ++k)
+      if (!identity_rows_[k]) squares += r[k] * r[k];
+    for (const auto& [dof, volume] : pressure_volumes_) greatest[4] = std::max(greatest[4], std::abs(r[dof]) / volume);
     out.force_residual = std::sqrt(all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, squares));
   }
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
@@ -227,7 +236,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.gap_residual = greatest[1];
   out.pressure_residual = greatest[2];
   out.pressure_scale = greatest[3];
-  out.force_scale = std::max({out.internal->norm2(), out.external->norm2(), out.contact->norm2()});
+  out.volume_residual = greatest[4];
+  out.force_scale = std::max({norm_of_forces(*out.internal), norm_of_forces(*out.external), norm_of_forces(*out.contact)});
 
   if (with_tangent) {
     {

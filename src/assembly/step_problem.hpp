@@ -37,9 +37,10 @@ struct Evaluation {
   double gap_residual = 0;                  ///< greatest |gap| of a closed node [m]
   double pressure_residual = 0;             ///< greatest |p| of an open node [Pa]
   double pressure_scale = 0;                ///< greatest |p| of a closed node [Pa]
-  double support_residual = 0;              ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;                 ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;                ///< per multiplier, on the rank that owns it: something lies opposite the node
+  double volume_residual = 0;   ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
+  double support_residual = 0;  ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;     ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;    ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -115,6 +116,7 @@ class StepProblem {
   void update_search(const Vector& x, const Vector& overlap_x);
   void search_at(const Search& where);
   double greatest_motion(const Vector& from, const Vector& to) const;
+  double norm_of_forces(const Vector& f) const;
   void build_graph();
   /// Factors of the derivatives that make up a pressure's row, on the owned map.
   struct LawRows {
@@ -140,6 +142,7 @@ class StepProblem {
   RCP<Vector> external_;                            // owned
   std::vector<double> normal_stiffness_;            // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
   std::vector<char> identity_rows_;
+  std::vector<std::pair<int, double>> pressure_volumes_;  // owned local unknown of an element's pressure, an element's volume
   WorkCounts counts_;
 };
 

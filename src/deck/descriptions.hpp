@@ -7,6 +7,7 @@
 #include "deck/bounds.hpp"
 #include "deck/fields.hpp"
 #include "deck/material_descriptions.hpp"
+#include "deck/names.hpp"
 #include "deck/options.hpp"
 #include "mesh/recipes/descriptions.hpp"
 
@@ -47,11 +48,15 @@ void describe(Fields& f, BodyOptions& o) {
   f.required("mesh", o.mesh, anything, "", "name of an entry of `meshes`");
   f.optional("blocks", o.blocks, anything, "", "element blocks of the mesh, by name or number; default: all of them");
   f.required("material", o.material, anything, "", "name of an entry of `materials`");
-  const Choices<TangentKind> tangents{{"quadrature point", TangentKind::quadrature_point},
-                                      {"whole element", TangentKind::whole_element}};
-  f.choice("tangent", o.tangent, tangents, Presence::optional,
-           "where derivatives are taken: of the stress at each quadrature point, or of the element's force as a whole "
-           "(slower, the same numbers)");
+  f.choice(
+      "formulation", o.formulation, formulation_names, Presence::optional,
+      "standard: displacements alone; locks where the volume can hardly change, unless elements are quadratic. f-bar (hex8): "
+      "the change of volume is the element's mean. enhanced strain (hex8): nine strains of its own per element, good in "
+      "bending too. mixed (hex8 with a constant, hex27 with a linear pressure): for materials that are split into distortion "
+      "and volume, up to exact incompressibility; needs the direct solver");
+  f.choice("tangent", o.tangent, tangent_names, Presence::optional,
+           "how elements are differentiated: AD of the stress at each quadrature point, moduli derived by hand, AD or complex "
+           "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");
 }
 
 template <class Fields>

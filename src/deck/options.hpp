@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "assembly/tangent_kind.hpp"
 #include "deck/material_options.hpp"
 #include "mesh/recipes/recipes.hpp"
 
@@ -25,13 +26,15 @@ struct MeshOptions {
   std::array<double, 4> rotation{0, 0, 1, 0};  ///< axis x, y, z and degrees; applied before origin
 };
 
-enum class TangentKind { quadrature_point, whole_element };
+/// How an element's unknowns make its deformation gradients.
+enum class FormulationKind { standard, f_bar, enhanced, mixed };
 
 /// A body: some blocks of a mesh, their material and how their elements are linearised.
 struct BodyOptions {
   std::string mesh;
   std::vector<std::string> blocks;  ///< names or numbers; empty: all
   std::string material;
+  FormulationKind formulation = FormulationKind::standard;
   TangentKind tangent = TangentKind::quadrature_point;
 };
 

@@ -9,13 +9,14 @@
 #include <set>
 
 #include "errors.hpp"
+#include "physics/elements/geometry.hpp"
 #include "utf8.hpp"
 
 namespace mortise {
 
 namespace {
 
-using Element = std::array<int, 8>;
+using Element = ElementNodeList;
 
 std::string name_of(const char* kind, std::int64_t id, const std::string& name) {
   return name.empty() ? fmt::format("{} {}", kind, id) : fmt::format("{} {} \"{}\"", kind, id, printable(name));
@@ -46,12 +47,13 @@ bool has_all_nodes(const Mesh& mesh, const Element& element) {
   return std::all_of(element.begin(), element.end(), [&](int a) { return a >= 0 && a < n_nodes(mesh); });
 }
 
-bool has_a_node_twice(Element element) {
+bool has_a_node_twice(Element nodes) {
+  std::vector<int> element(nodes.begin(), nodes.end());
   std::sort(element.begin(), element.end());
   return std::adjacent_find(element.begin(), element.end()) != element.end();
 }
 
-/// Least det dX/dxi over the 2x2x2 Gauss points of a hex8 [length^3] and the point where it stands (counted from 1, first
+/// Least det dX/dxi over the quadrature points of an element [length^3] and the point where it stands (counted from 1, first
 /// coordinate fastest).
 struct LeastJacobian {
   double value;
@@ -59,45 +61,25 @@ struct LeastJacobian {
   double scale;  ///< what the determinant would be for a cube with the longest edge of the element
 };
 
-/// Derivatives of the trilinear shape functions at the 2x2x2 Gauss points: [point][node][direction].
-using Gradients = std::array<std::array<Point, 8>, 8>;
-
-Gradients make_gradients() {
-  constexpr std::array<Point, 8> corner{
-      {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
-  const double xi = 1.0 / std::sqrt(3.0);
-  Gradients gradients{};
-  for (std::size_t g = 0; g < 8; ++g) {
-    const Point at{(g & 1) != 0 ? xi : -xi, (g & 2) != 0 ? xi : -xi, (g & 4) != 0 ? xi : -xi};
-    for (std::size_t a = 0; a < 8; ++a) {
-      const Point s{1 + corner[a][0] * at[0], 1 + corner[a][1] * at[1], 1 + corner[a][2] * at[2]};
-      gradients[g][a] = {0.125 * corner[a][0] * s[1] * s[2], 0.125 * corner[a][1] * s[0] * s[2],
-                         0.125 * corner[a][2] * s[0] * s[1]};
-    }
-  }
-  return gradients;
-}
-
-LeastJacobian least_jacobian(const Mesh& mesh, const Element& element) {
-  static const Gradients gradients = make_gradients();
-  std::array<Point, 8> X{};
-  for (std::size_t a = 0; a < 8; ++a) X[a] = mesh.coordinates[static_cast<std::size_t>(element[a])];
-
-  const double longest = longest_edge(mesh, element);
-  LeastJacobian least{0, 0, longest * longest * longest / 8};
-  for (std::size_t g = 0; g < 8; ++g) {
-    double d[3][3] = {};  // dX_i/dxi_j; relative to the first corner, so that a mesh far from the origin loses no digits
-    for (std::size_t a = 1; a < 8; ++a)
+LeastJacobian least_jacobian(const Mesh& mesh, ElementType type, ElementNodeList element) {
+  return with_element(type, [&](auto kind) {
+    using Element = decltype(kind);
+    ElementNodes<Element> X;  // relative to the first corner, so that a mesh far from the origin loses no digits
+    for (std::size_t a = 0; a < X.size(); ++a)
       for (std::size_t i = 0; i < 3; ++i)
-        for (std::size_t j = 0; j < 3; ++j) d[i][j] += (X[a][i] - X[0][i]) * gradients[g][a][j];
-    const double det = d[0][0] * (d[1][1] * d[2][2] - d[1][2] * d[2][1]) - d[0][1] * (d[1][0] * d[2][2] - d[1][2] * d[2][0]) +
-                       d[0][2] * (d[1][0] * d[2][1] - d[1][1] * d[2][0]);
-    if (g == 0 || !(det >= least.value)) {
-      least.value = det;
-      least.gauss_point = static_cast<int>(g) + 1;
+        X[a][i] =
+            mesh.coordinates[static_cast<std::size_t>(element[a])][i] - mesh.coordinates[static_cast<std::size_t>(element[0])][i];
+    const double longest = longest_edge(mesh, type, element);
+    LeastJacobian least{0, 0, longest * longest * longest / 8};
+    for (std::size_t g = 0; g < Element::stiffness_rule.size(); ++g) {
+      const double J = det(element_map<Element>(X, Element::stiffness_rule[g].xi));
+      if (g == 0 || !(J >= least.value)) {
+        least.value = J;
+        least.gauss_point = static_cast<int>(g) + 1;
+      }
     }
-  }
-  return least;
+    return least;
+  });
 }
 
 void check_coordinates(const Mesh& mesh, MeshErrors& errors) {
@@ -125,14 +107,14 @@ bool check_block(const Mesh& mesh, const Block& block, std::size_t first, MeshEr
   Offenders out_of_range, repeated, inverted;
   LeastJacobian first_inverted{};
   for (std::size_t e = 0; e < block.elements.size(); ++e) {
-    const Element& element = block.elements[e];
+    const Element element = block.elements[e];
     if (!has_all_nodes(mesh, element)) {
       out_of_range.note(e);
     } else if (has_a_node_twice(element)) {
       repeated.note(e);
     } else if (std::all_of(element.begin(), element.end(),
                            [&](int a) { return usable(mesh.coordinates[static_cast<std::size_t>(a)]); })) {
-      const LeastJacobian least = least_jacobian(mesh, element);
+      const LeastJacobian least = least_jacobian(mesh, block.elements.type(), element);
       if (least.value > 1e-14 * least.scale) continue;  // below that the determinant is round-off of a flat element
       if (inverted.n == 0) first_inverted = least;
       inverted.note(e);
@@ -140,19 +122,21 @@ bool check_block(const Mesh& mesh, const Block& block, std::size_t first, MeshEr
   }
   const auto number = [&](const Offenders& o) { return mesh.element_numbers[first + o.first]; };
   if (out_of_range.n > 0) {
-    const Element& element = block.elements[out_of_range.first];
+    const Element element = block.elements[out_of_range.first];
     const auto bad = std::find_if(element.begin(), element.end(), [&](int a) { return a < 0 || a >= n_nodes(mesh); });
     errors.add("M13", fmt::format("{}: {} with nodes out of range (first: element {}, entry {}: node {}) - nodes are 1 to {}",
                                   describe(block), count_of(out_of_range.n, "element"), number(out_of_range),
                                   bad - element.begin() + 1, static_cast<std::int64_t>(*bad) + 1, n_nodes(mesh)));
   }
   if (repeated.n > 0) {
-    Element sorted = block.elements[repeated.first];
+    const Element element = block.elements[repeated.first];
+    std::vector<int> sorted(element.begin(), element.end());
     std::sort(sorted.begin(), sorted.end());
     const int twice = *std::adjacent_find(sorted.begin(), sorted.end());
-    errors.add("M14", fmt::format("{}: {} with a node twice (first: element {}, node {}) - a hex8 has 8 different nodes",
-                                  describe(block), count_of(repeated.n, "element"), number(repeated),
-                                  mesh.node_numbers[static_cast<std::size_t>(twice)]));
+    errors.add("M14",
+               fmt::format("{}: {} with a node twice (first: element {}, node {}) - a {} has {} different nodes", describe(block),
+                           count_of(repeated.n, "element"), number(repeated), mesh.node_numbers[static_cast<std::size_t>(twice)],
+                           topology(block.elements.type()).name, sorted.size()));
   }
   if (inverted.n > 0)
     errors.add(
@@ -168,7 +152,7 @@ bool check_block(const Mesh& mesh, const Block& block, std::size_t first, MeshEr
 void check_orphans(const Mesh& mesh, MeshErrors& errors) {
   std::vector<bool> used(mesh.coordinates.size(), false);
   for (const Block& block : mesh.blocks)
-    for (const Element& element : block.elements)
+    for (const Element element : block.elements)
       for (int a : element) used[static_cast<std::size_t>(a)] = true;
   constexpr std::size_t n_listed = 5;
   std::size_t n = 0;
@@ -213,11 +197,12 @@ void check_side_set(const Mesh& mesh, const SideSet& set, int n_mesh_elements, M
   if (set.sides.empty()) errors.add("M31", fmt::format("{} is empty", describe(set)));
   Offenders elements, faces, repeated;
   std::set<std::pair<int, int>> seen;
+  const auto n_faces = [&](int e) { return static_cast<int>(topology(element_type(mesh, e)).faces.size()); };
   for (std::size_t i = 0; i < set.sides.size(); ++i) {
     const Side& side = set.sides[i];
     if (side.element < 0 || side.element >= n_mesh_elements) {
       elements.note(i);
-    } else if (side.face < 0 || side.face > 5) {
+    } else if (side.face < 0 || side.face >= n_faces(side.element)) {
       faces.note(i);
     } else if (!seen.insert({side.element, side.face}).second) {
       repeated.note(i);
@@ -231,9 +216,12 @@ void check_side_set(const Mesh& mesh, const SideSet& set, int n_mesh_elements, M
     return mesh.element_numbers[static_cast<std::size_t>(set.sides[o.first].element)];
   };
   if (faces.n > 0)
-    errors.add("M33", fmt::format("{}: {} that a hex8 does not have (first: entry {}, side {} of element {}) - sides are 1 to 6",
+    errors.add("M33", fmt::format("{}: {} that its element does not have (first: entry {}, side {} of element {}) - sides of a "
+                                  "{} are 1 to {}",
                                   describe(set), count_of(faces.n, "side"), faces.first + 1,
-                                  static_cast<std::int64_t>(set.sides[faces.first].face) + 1, number(faces)));
+                                  static_cast<std::int64_t>(set.sides[faces.first].face) + 1, number(faces),
+                                  topology(element_type(mesh, set.sides[faces.first].element)).name,
+                                  n_faces(set.sides[faces.first].element)));
   if (repeated.n > 0)
     errors.add("M35", fmt::format("{}: {} listed twice (first: entry {}, side {} of element {}) - each once", describe(set),
                                   count_of(repeated.n, "side"), repeated.first + 1, set.sides[repeated.first].face + 1,

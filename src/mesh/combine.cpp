@@ -113,8 +113,7 @@ void append(CombinedMesh& combined, const std::string& name, const Mesh& own) {
 
   const auto at = [](auto& list, int first) { return list.begin() + first; };
   for (auto block = at(mesh.blocks, part.first_block); block != mesh.blocks.end(); ++block)
-    for (auto& element : block->elements)
-      for (int& a : element) a += part.first_node;
+    for (int& a : block->elements.nodes()) a += part.first_node;
   for (auto set = at(mesh.side_sets, part.first_side_set); set != mesh.side_sets.end(); ++set)
     for (Side& side : set->sides) side.element += part.first_element;
   for (auto set = at(mesh.node_sets, part.first_node_set); set != mesh.node_sets.end(); ++set)

@@ -10,7 +10,7 @@ namespace mortise {
 
 namespace {
 
-using Facet = std::array<int, 4>;
+using Facet = std::vector<int>;
 
 std::string describe_side(const CombinedMesh& mesh, const Side& side) {
   return fmt::format("side {} of {}", side.face + 1, describe_element(mesh, side.element));
@@ -33,9 +33,10 @@ void find_interior_sides(const CombinedMesh& mesh, const SideSet& sides, std::ve
   int e = 0;
   for (const Block& block : all.blocks)
     for (const auto& element : block.elements) {
+      const int n_faces = static_cast<int>(topology(block.elements.type()).faces.size());
       const auto n_on_surface =
           std::count_if(element.begin(), element.end(), [&](int a) { return on_surface[static_cast<std::size_t>(a)]; });
-      for (int face = 0; n_on_surface >= 4 && face < 6; ++face) {
+      for (int face = 0; n_on_surface >= 3 && face < n_faces; ++face) {
         Facet nodes = side_nodes(all, {e, face});
         std::sort(nodes.begin(), nodes.end());
         for (auto at = std::lower_bound(facets.begin(), facets.end(), std::pair<Facet, std::size_t>{nodes, 0});
@@ -64,8 +65,9 @@ void check_edges(const CombinedMesh& mesh, const SideSet& sides, std::vector<Sur
   std::vector<FacetEdge> edges;
   for (std::size_t i = 0; i < sides.sides.size(); ++i) {
     const Facet nodes = side_nodes(mesh.mesh, sides.sides[i]);
-    for (std::size_t a = 0; a < 4; ++a) {
-      const auto [low, high] = std::minmax(nodes[a], nodes[(a + 1) % 4]);
+    const std::size_t n = n_side_corners(mesh.mesh, sides.sides[i]);
+    for (std::size_t a = 0; a < n; ++a) {
+      const auto [low, high] = std::minmax(nodes[a], nodes[(a + 1) % n]);
       edges.push_back({low, high, nodes[a] == low, i});
     }
   }

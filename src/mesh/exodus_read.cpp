@@ -7,6 +7,7 @@
 #include <cctype>
 #include <cstring>
 #include <limits>
+#include <optional>
 
 #include "errors.hpp"
 #include "mesh/checks.hpp"
@@ -54,7 +55,7 @@ class ExodusReader {
     if (sizes_.num_dim != 3) errors_.add("M02", fmt::format("the mesh has {} dimensions - must have 3", sizes_.num_dim));
     if (sizes_.num_nodes <= 0) errors_.add("M03", "no nodes");
     if (sizes_.num_elem <= 0 || sizes_.num_elem_blk <= 0) errors_.add("M03", "no elements");
-    constexpr std::int64_t limit = std::numeric_limits<int>::max() / 8;
+    constexpr std::int64_t limit = std::numeric_limits<int>::max() / 27;
     if (sizes_.num_nodes > limit || sizes_.num_elem > limit)
       errors_.add("M06", fmt::format("{} nodes and {} elements - at most {} of each", sizes_.num_nodes, sizes_.num_elem, limit));
     errors_.throw_if_any();
@@ -77,7 +78,7 @@ class ExodusReader {
   void blocks() {
     std::int64_t n_found = 0;
     for (std::int64_t id : ids(EX_ELEM_BLOCK, sizes_.num_elem_blk, "blocks")) {
-      Block block{id, name(EX_ELEM_BLOCK, id), {}};
+      Block block{id, name(EX_ELEM_BLOCK, id), ElementList()};
       ex_block stored{};
       stored.id = id;
       stored.type = EX_ELEM_BLOCK;
@@ -85,7 +86,8 @@ class ExodusReader {
       if (stored.num_entry == 0) continue;  // an empty block has no type either
       n_found += stored.num_entry;
       if (n_found > sizes_.num_elem) break;
-      if (is_hex8(stored, block)) {
+      if (const auto type = type_of(stored, block)) {
+        block.elements = ElementList(*type);
         connectivity(block, stored.num_entry);
         mesh_.blocks.push_back(std::move(block));
       }
@@ -96,26 +98,31 @@ class ExodusReader {
     require(ex_get_id_map(id_, EX_ELEM_MAP, mesh_.element_numbers.data()), "the element number map");
   }
 
-  bool is_hex8(const ex_block& stored, const Block& block) {
-    std::string type(stored.topology, strnlen(stored.topology, MAX_STR_LENGTH));
-    type.erase(std::find(type.begin(), type.end(), ' '), type.end());
-    std::string upper = type;
+  /// The type by name and number of nodes; files write "HEX", "hex8" and "HEXAHEDRON" for the same.
+  std::optional<ElementType> type_of(const ex_block& stored, const Block& block) {
+    std::string word(stored.topology, strnlen(stored.topology, MAX_STR_LENGTH));
+    word.erase(std::find(word.begin(), word.end(), ' '), word.end());
+    std::string upper = word;
     for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    const bool is_hex = upper == "HEX" || upper == "HEX8";
-    if (is_hex && stored.num_nodes_per_entry == 8) return true;
-    if (is_hex) type += fmt::format(" with {} nodes", stored.num_nodes_per_entry);
-    errors_.add("M12", fmt::format("{}: element type {} is not supported - supported: HEX8, also called HEX, with 8 nodes",
-                                   describe(block), type));
-    return false;
+    std::vector<std::string> names;
+    for (ElementType type : element_types) {
+      const Topology& known = topology(type);
+      names.push_back(known.name);
+      const std::string stem = known.shape.substr(0, 3);  // TET, TETRA; WED, WEDGE; HEX
+      if (upper.rfind(stem, 0) != 0 || stored.num_nodes_per_entry != known.n_nodes) continue;
+      const std::size_t digits = upper.find_first_of("0123456789");
+      if (digits == std::string::npos || upper.substr(digits) == std::to_string(known.n_nodes)) return type;
+    }
+    errors_.add("M12", fmt::format("{}: element type {} with {} nodes is not supported - supported: {}", describe(block), word,
+                                   stored.num_nodes_per_entry, join(names)));
+    return std::nullopt;
   }
 
   void connectivity(Block& block, std::int64_t n) {
-    std::vector<std::int64_t> nodes(8 * static_cast<std::size_t>(n));
+    std::vector<std::int64_t> nodes(block.elements.n_nodes() * static_cast<std::size_t>(n));
     require(ex_get_conn(id_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr),
             fmt::format("the elements of {}", describe(block)));
-    block.elements.resize(static_cast<std::size_t>(n));
-    for (std::size_t e = 0; e < block.elements.size(); ++e)
-      for (std::size_t a = 0; a < 8; ++a) block.elements[e][a] = to_index(nodes[8 * e + a]);
+    for (std::int64_t node : nodes) block.elements.nodes().push_back(to_index(node));
   }
 
   /// Members of a set; `faces` only for side sets.

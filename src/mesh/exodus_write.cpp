@@ -90,10 +90,11 @@ class GeometryWriter {
   void blocks() const {
     for (const Block& block : mesh_.blocks) {
       const auto n = static_cast<std::int64_t>(block.elements.size());
-      require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, "HEX8", n, 8, 0, 0, 0), "block");
+      const Topology& of = topology(block.elements.type());
+      const std::string kind = of.shape + std::to_string(of.n_nodes);
+      require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, kind.c_str(), n, of.n_nodes, 0, 0, 0), "block");
       std::vector<std::int64_t> nodes;
-      for (const auto& element : block.elements)
-        for (int a : element) nodes.push_back(a + 1);
+      for (int a : block.elements.nodes()) nodes.push_back(a + 1);
       if (n > 0) require(ex_put_conn(id_, EX_ELEM_BLOCK, block.id, nodes.data(), nullptr, nullptr), "connectivity");
     }
     names(EX_ELEM_BLOCK, names_of(mesh_.blocks));

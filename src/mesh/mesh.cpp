@@ -7,44 +7,55 @@
 
 namespace mortise {
 
-namespace {
-
-/// Corners of each face of a hex8 in the Exodus side numbering; right-handed about the outward normal.
-constexpr std::array<std::array<int, 4>, 6> hex8_faces{
-    {{0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {0, 4, 7, 3}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
-
-}  // namespace
-
 int n_elements(const Mesh& mesh) {
   std::size_t n = 0;
   for (const Block& block : mesh.blocks) n += block.elements.size();
   return static_cast<int>(n);
 }
 
-const std::array<int, 8>& element_nodes(const Mesh& mesh, int e) {
+namespace {
+
+/// Element `e` of all as element `in_block` of its block.
+std::pair<const Block*, std::size_t> find_element(const Mesh& mesh, int e) {
   assert(e >= 0 && e < n_elements(mesh));
   std::size_t in_block = static_cast<std::size_t>(e);
   std::size_t b = 0;
   while (in_block >= mesh.blocks[b].elements.size()) in_block -= mesh.blocks[b++].elements.size();
-  return mesh.blocks[b].elements[in_block];
+  return {&mesh.blocks[b], in_block};
 }
 
-std::array<int, 4> side_nodes(const Mesh& mesh, Side side) {
-  assert(side.face >= 0 && side.face < 6);
-  const std::array<int, 8>& nodes = element_nodes(mesh, side.element);
-  const std::array<int, 4>& face = hex8_faces[static_cast<std::size_t>(side.face)];
-  std::array<int, 4> result{};
-  for (std::size_t i = 0; i < 4; ++i) result[i] = nodes[static_cast<std::size_t>(face[i])];
+const std::vector<int>& face_of(const Mesh& mesh, Side side) {
+  const auto& faces = topology(element_type(mesh, side.element)).faces;
+  assert(side.face >= 0 && static_cast<std::size_t>(side.face) < faces.size());
+  return faces[static_cast<std::size_t>(side.face)];
+}
+
+}  // namespace
+
+ElementType element_type(const Mesh& mesh, int e) { return find_element(mesh, e).first->elements.type(); }
+
+ElementNodeList element_nodes(const Mesh& mesh, int e) {
+  const auto [block, in_block] = find_element(mesh, e);
+  return block->elements[in_block];
+}
+
+std::vector<int> side_nodes(const Mesh& mesh, Side side) {
+  const ElementNodeList nodes = element_nodes(mesh, side.element);
+  std::vector<int> result;
+  for (int a : face_of(mesh, side)) result.push_back(nodes[static_cast<std::size_t>(a)]);
   return result;
 }
 
-double longest_edge(const Mesh& mesh, const std::array<int, 8>& element) {
-  constexpr std::array<std::array<std::size_t, 2>, 12> edges{
-      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+std::size_t n_side_corners(const Mesh& mesh, Side side) {
+  const std::size_t n = face_of(mesh, side).size();
+  return n == 3 || n == 6 ? 3 : 4;
+}
+
+double longest_edge(const Mesh& mesh, ElementType type, ElementNodeList element) {
   double longest = 0;
-  for (const auto& [a, b] : edges) {
-    const Point &X = mesh.coordinates[static_cast<std::size_t>(element[a])],
-                &Y = mesh.coordinates[static_cast<std::size_t>(element[b])];
+  for (const auto& [a, b] : topology(type).edges) {
+    const Point &X = mesh.coordinates[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])],
+                &Y = mesh.coordinates[static_cast<std::size_t>(element[static_cast<std::size_t>(b)])];
     longest = std::max(longest, std::hypot(Y[0] - X[0], Y[1] - X[1], Y[2] - X[2]));
   }
   return longest;

@@ -6,15 +6,17 @@
 #include <string>
 #include <vector>
 
+#include "mesh/element_list.hpp"
+
 namespace mortise {
 
 using Point = std::array<double, 3>;
 
-/// One block of hex8 elements, with the nodes of each element in Exodus order.
+/// One block of elements of one type.
 struct Block {
-  std::int64_t id = 1;                       ///< Exodus block id, > 0
-  std::string name;                          ///< may be empty
-  std::vector<std::array<int, 8>> elements;  ///< 0-based indices into Mesh::coordinates
+  std::int64_t id = 1;  ///< Exodus block id, > 0
+  std::string name;     ///< may be empty
+  ElementList elements;
 };
 
 /// A side of an element: element counted over all blocks in order, face counted from 0 in the Exodus numbering.
@@ -52,13 +54,20 @@ inline int n_nodes(const Mesh& mesh) { return static_cast<int>(mesh.coordinates.
 /// Number of elements over all blocks.
 int n_elements(const Mesh& mesh);
 
+/// Type of element `e`, counted over all blocks in order.
+ElementType element_type(const Mesh& mesh, int e);
+
 /// Nodes of element `e`, counted over all blocks in order.
-const std::array<int, 8>& element_nodes(const Mesh& mesh, int e);
+ElementNodeList element_nodes(const Mesh& mesh, int e);
 
-/// Nodes of one side, ordered so that the normal by the right-hand rule points out of the element.
-std::array<int, 4> side_nodes(const Mesh& mesh, Side side);
+/// Nodes of one side: corners, ordered so that the normal by the right-hand rule points out of the element, then the middles of
+/// edges, then the middle.
+std::vector<int> side_nodes(const Mesh& mesh, Side side);
 
-/// Length of the longest of the 12 edges of an element.
-double longest_edge(const Mesh& mesh, const std::array<int, 8>& element);
+/// Number of corners of a side.
+std::size_t n_side_corners(const Mesh& mesh, Side side);
+
+/// Length of the longest edge of an element, from corner to corner.
+double longest_edge(const Mesh& mesh, ElementType type, ElementNodeList element);
 
 }  // namespace mortise

@@ -80,7 +80,10 @@ template <class Archive>
 void members(Archive& archive, Block& block) {
   archive.number(block.id);
   archive.plain(block.name);
-  archive.plain(block.elements);
+  ElementType type = block.elements.type();
+  archive.number(type);
+  if (type != block.elements.type()) block.elements = ElementList(type);
+  archive.plain(block.elements.nodes());
 }
 
 template <class Archive>
@@ -113,7 +116,7 @@ void members(Archive& archive, Mesh& mesh) {
 std::string bytes_of(const Mesh& mesh) {
   // Nearly all of it is nodes and elements; sets find room in the rest.
   const std::size_t n = mesh.coordinates.size() * (sizeof(Point) + sizeof(std::int64_t)) +
-                        mesh.element_numbers.size() * (sizeof(mesh.blocks[0].elements[0]) + sizeof(std::int64_t));
+                        mesh.element_numbers.size() * (8 * sizeof(int) + sizeof(std::int64_t));
   Packer packer(n + n / 8);
   members(packer, const_cast<Mesh&>(mesh));  // the packer only reads
   return std::move(packer).bytes();

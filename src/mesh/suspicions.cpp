@@ -19,7 +19,7 @@ constexpr double size_ratio = 1e4;
 std::vector<double> element_sizes(const Mesh& mesh) {
   std::vector<double> sizes;
   for (const Block& block : mesh.blocks)
-    for (const auto& element : block.elements) sizes.push_back(longest_edge(mesh, element));
+    for (const auto& element : block.elements) sizes.push_back(longest_edge(mesh, block.elements.type(), element));
   return sizes;
 }
 

@@ -13,8 +13,17 @@ namespace {
 std::vector<double> nodal_stress(const StepProblem& problem, const State& state, int component) {
   const int n = problem.dofs().n_nodes();
   std::vector<double> stress(7 * static_cast<std::size_t>(n), 0.0), volume(n, 0.0);
-  const auto q = problem.to_overlap(*state.x);
-  for (const auto& body : problem.bodies()) body->add_nodal_stress(q->getData().getRawPtr(), stress, volume);
+  const auto x = problem.to_overlap(*state.x);
+  for (const auto& body : problem.bodies())
+    body->sample(x->getData().getRawPtr(), [&](const PointSample& at) {
+      const Tensor3<double> s = cauchy_stress(at.state.P, at.state.F);
+      const double components[7] = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0), von_mises(s)};
+      for (int a = 0; a < at.n_nodes; ++a) {
+        const double weight = at.N[a] * at.JxW;
+        for (int k = 0; k < 7; ++k) stress[7 * static_cast<std::size_t>(at.nodes[a]) + k] += weight * components[k];
+        volume[at.nodes[a]] += weight;
+      }
+    });
   std::vector<double> shares(2 * static_cast<std::size_t>(n)), all(shares.size());
   for (int a = 0; a < n; ++a) {
     shares[2 * a] = stress[7 * static_cast<std::size_t>(a) + component];

@@ -15,7 +15,7 @@
 #include <sstream>
 #include <utility>
 
-#include "deck/fields.hpp"
+#include "deck/names.hpp"
 #include "output/checkpoint.hpp"
 #include "sha256.hpp"
 
@@ -86,18 +86,18 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     }
   }
   const int n_q = 3 * problem.dofs().n_nodes();
-  text +=
-      fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures)\nelements {}\n", problem.dofs().comm()->getSize(),
-                  n_q + scene.n_multipliers, n_q, scene.n_multipliers, n_elements(scene.mesh.mesh));
+  text += fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements)\nelements {}\n",
+                      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers,
+                      scene.n_element_pressures(), n_elements(scene.mesh.mesh));
   text += fmt::format(
       "copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are "
       "on every rank\n",
       problem.dofs().ghost_bytes());
   text += fmt::format("linear solver {}\neffects\n", linear_solver);
   for (const auto& body : scene.bodies)
-    text += fmt::format("  internal force of \"{}\": on, {}, {} elements, tangent by AD of {}\n", body.name,
+    text += fmt::format("  internal force of \"{}\": on, {}, {} elements, formulation {}, tangent {}\n", body.name,
                         std::visit([](const auto& m) { return std::string(m.name); }, body.material), body.elements.size(),
-                        body.tangent == TangentKind::whole_element ? "whole elements" : "quadrature points");
+                        word_for(formulation_names, body.formulation), word_for(tangent_names, body.tangent));
   text += fmt::format(
       "  inertia: off (static)\n  prescribed motion: {}\n  traction: {}\n  contact: {}\n  friction: off\n  damping: off\n",
       on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));

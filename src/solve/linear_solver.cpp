@@ -7,13 +7,16 @@
 namespace mortise {
 namespace {
 
-// A node is a group; its pressure joins it.
+// A node is a group; its contact pressure joins it, and so do the pressures of an element with one of its nodes.
 std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
-  std::vector<int> group(3 * static_cast<std::size_t>(dofs.n_nodes()) + scene.n_multipliers);
+  std::vector<int> group(dofs.n_unknowns());
   for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(dofs.n_nodes()); ++k) group[k] = static_cast<int>(k / 3);
   for (const auto& pair : scene.pairs)
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       group[3 * static_cast<std::size_t>(dofs.n_nodes()) + pair.first_multiplier + k] = pair.secondary_nodes[k];
+  for (int e = 0; e + 1 < static_cast<int>(scene.first_pressure.size()); ++e)
+    for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
+      group[dofs.global(scene.pressure_point(e, m))] = element_nodes(scene.mesh.mesh, e)[0];
   return group;
 }
 
@@ -21,9 +24,10 @@ std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
 constexpr long long largest_direct = 150000;
 
 std::variant<DirectSolver, IterativeSolver> choose(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) {
-  const long long n = 3LL * dofs.n_nodes() + scene.n_multipliers;
-  const bool iterative =
-      options.linear == LinearSolverKind::iterative || (options.linear == LinearSolverKind::automatic && n > largest_direct);
+  const long long n = dofs.n_unknowns();
+  const bool has_element_pressures = scene.n_element_pressures() > 0;
+  const bool iterative = options.linear == LinearSolverKind::iterative ||
+                         (options.linear == LinearSolverKind::automatic && n > largest_direct && !has_element_pressures);
   if (iterative) return IterativeSolver(dofs.owned_map(), 3LL * dofs.n_nodes(), options);
   return DirectSolver(dofs.owned_map(), groups(scene, dofs));
 }

@@ -88,7 +88,8 @@ class StepStatus : public NOX::StatusTest::Generic {
     const Scene& scene = shared_->problem.scene();
     const double h = scene.size;
     const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, scene.force_floor) &&
-                       e.gap_residual <= options_.tolerance * h && e.support_residual <= options_.tolerance * h &&
+                       e.gap_residual <= options_.tolerance * h && e.volume_residual <= options_.tolerance &&
+                       e.support_residual <= options_.tolerance * h &&
                        e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor());
     if (small && settled && iteration > 0) {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
@@ -168,9 +169,11 @@ class StepStatus : public NOX::StatusTest::Generic {
   double greatest_pressure(const Vector& x) const {
     const auto values = x.getData();
     const long long first = 3LL * shared_->problem.dofs().n_nodes();
+    const long long end = first + shared_->problem.scene().n_multipliers;
     double greatest = 0, all = 0;
     for (int k = 0; k < static_cast<int>(values.size()); ++k)
-      if (x.getMap()->getGlobalElement(k) >= first) greatest = std::max(greatest, std::abs(values[k]));
+      if (const long long k_global = x.getMap()->getGlobalElement(k); k_global >= first && k_global < end)
+        greatest = std::max(greatest, std::abs(values[k]));
     Teuchos::reduceAll(*x.getMap()->getComm(), Teuchos::REDUCE_MAX, 1, &greatest, &all);
     return all;
   }

@@ -56,7 +56,7 @@ void add_elements(const Lattice& lattice, const std::vector<int>& nodes, Mesh& m
 
   const auto [ni, nj, nk] = lattice.cells;
   const int row = ni + 1, layer = row * (nj + 1);
-  std::vector<std::array<int, 8>>& elements = mesh.blocks.front().elements;
+  ElementList& elements = mesh.blocks.front().elements;
   for (int k = 0; k < nk; ++k)
     for (int j = 0; j < nj; ++j)
       for (int i = 0; i < ni; ++i) {
@@ -91,7 +91,7 @@ Mesh hexahedra(const std::string& recipe, const std::vector<Lattice>& lattices,
                const std::function<Point(const Key&)>& position) {
   Mesh mesh;
   mesh.source = fmt::format("recipe \"{}\"", recipe);
-  mesh.blocks = {{1, recipe, {}}};
+  mesh.blocks = {{1, recipe, ElementList()}};
   for (const std::string& name : side_names(lattices))
     mesh.side_sets.push_back({static_cast<std::int64_t>(mesh.side_sets.size()) + 1, name, {}});
 
