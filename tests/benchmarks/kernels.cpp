@@ -1,16 +1,20 @@
-// Speed of the kernels: one hex8 element by every route, one facet pair by value and with its complete derivative.
+// Speed of the kernels: moduli of every material, one hex8 element by every route, one facet pair by value and with its complete
+// derivative.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "benchmarks/analytic_tangent.hpp"
+#include "support/materials.hpp"
 #include "support/random_pairs.hpp"
 
 namespace mortise::test {
 namespace {
 
+template <class M>
 struct Element {
-  NeoHookean material = NeoHookean::from({2250, 0.3});
+  M material = sample<M>();
   Hex8Geometry geometry;
   double q[8][3], f[8][3] = {}, K[576] = {};
 
@@ -26,16 +30,16 @@ struct Element {
 };
 
 void element_residual(benchmark::State& state) {
-  Element e;
+  Element<NeoHookean> e;
   for (auto _ : state) {
     benchmark::DoNotOptimize(add_internal_force(e.material, e.geometry, e.q, e.f));
     benchmark::ClobberMemory();
   }
 }
 
-template <auto tangent>
+template <auto tangent, class M = NeoHookean>
 void element_tangent(benchmark::State& state) {
-  Element e;
+  Element<M> e;
   for (auto _ : state) {
     std::fill_n(e.K, 576, 0.0);
     benchmark::DoNotOptimize(tangent(e.material, e.geometry, e.q, e.f, e.K));
@@ -51,6 +55,55 @@ BENCHMARK(element_tangent<quadrature_point_tangent<NeoHookean>>)
 BENCHMARK(element_tangent<whole_element_tangent<NeoHookean>>)
     ->Name("element_tangent/whole_element")
     ->Unit(benchmark::kMicrosecond);
+
+BENCHMARK(element_tangent<analytic_tangent<Ogden>, Ogden>)->Name("element_tangent/by_hand/ogden")->Unit(benchmark::kMicrosecond);
+BENCHMARK(element_tangent<quadrature_point_tangent<Ogden>, Ogden>)
+    ->Name("element_tangent/quadrature_points/ogden")
+    ->Unit(benchmark::kMicrosecond);
+
+/// Seconds that `evaluate(F)` takes for all deformations together.
+template <class Evaluate>
+double seconds_of(const std::vector<Tensor3<double>>& deformations, const Evaluate& evaluate) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& F : deformations) evaluate(F);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Stress and moduli at one point: the time is that by hand; `by_ad` [s] and `ratio` compare automatic differentiation.
+template <class M>
+void moduli_at_a_point(benchmark::State& state) {
+  const M material = sample<M>();
+  const auto deformations = some_deformations();
+  const auto n = static_cast<double>(deformations.size());
+  Tensor3<double> P;
+  double A[9][9], by_hand = 0, by_ad = 0;
+  for (auto _ : state) {
+    const double seconds = seconds_of(deformations, [&](const Tensor3<double>& F) {
+      material.moduli(F, P, A);
+      benchmark::ClobberMemory();
+    });
+    by_hand += seconds;
+    by_ad += seconds_of(deformations, [&](const Tensor3<double>& F) {
+      stress_and_moduli(material, F, P, A);
+      benchmark::ClobberMemory();
+    });
+    state.SetIterationTime(seconds / n);
+  }
+  benchmark::DoNotOptimize(A);
+  state.counters["by_ad"] = by_ad / n / static_cast<double>(state.iterations());
+  state.counters["ratio"] = by_ad / by_hand;
+}
+
+template <class... M>
+bool register_materials(const std::variant<M...>*) {
+  (benchmark::RegisterBenchmark((std::string("moduli/") + M::name).c_str(), moduli_at_a_point<M>)
+       ->UseManualTime()
+       ->Iterations(20000)
+       ->Unit(benchmark::kNanosecond),
+   ...);
+  return true;
+}
+[[maybe_unused]] const bool are_registered = register_materials(static_cast<const Material*>(nullptr));
 
 const std::vector<PairInput>& pairs() {
   static const auto all = [] {
