@@ -61,18 +61,24 @@ TYPED_TEST(EveryMaterial, IsIsotropic) {
 }
 
 TYPED_TEST(EveryMaterial, HasAStressThatTurnsWithSpace) {
-  if (!this->is_invariant) GTEST_SKIP() << "linear elasticity is for small rotations";
   Random random(6);
   for (const auto& F : some_deformations()) {
     const auto Q = random.rotation();
     const auto turned = entries(Q * this->material.first_piola(F)), stress = entries(this->material.first_piola(Q * F));
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress[k], turned[k], 1e-13 * (largest(turned) + this->stiffness));
+    double difference = 0;
+    for (int k = 0; k < 9; ++k) difference = std::max(difference, std::abs(stress[k] - turned[k]));
+    if (this->is_invariant) {
+      EXPECT_LE(difference, 1e-13 * (largest(turned) + this->stiffness));
+    } else {
+      EXPECT_GT(difference, 1e-3 * this->stiffness);
+    }
   }
 }
 
 TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
+  // beside a constant that is as large as the terms whose difference W is, so that their round-off is expected
   const auto energy = [this](const std::vector<double>& F) {
-    return std::vector<double>{this->material.strain_energy(tensor(F))};
+    return std::vector<double>{this->stiffness + this->material.strain_energy(tensor(F))};
   };
   for (const auto& F : some_deformations())
     EXPECT_TRUE(is_derivative(entries(this->material.first_piola(F)), energy, entries(F)));
@@ -148,20 +154,24 @@ TYPED_TEST(EveryMaterial, StoresEverMoreEnergyInEverLargerStretch) {
   }
 }
 
-TYPED_TEST(EveryMaterial, IsSplitIntoShapeAndVolumeWhereItSaysSo) {
-  if constexpr (is_split<TypeParam>) {
-    const double compliance = this->material.volumetric_compliance();
-    EXPECT_EQ(compliance == 0, is_incompressible<TypeParam>());
-    for (const auto& F : some_deformations()) {
-      auto swollen = F;
-      for (int k = 0; k < 9; ++k) swollen(k / 3, k % 3) *= 1.3;
-      const double shape = this->material.distortional().strain_energy(F), swelling = det(F) - 1;
-      EXPECT_NEAR(this->material.distortional().strain_energy(swollen), shape, 1e-13 * (shape + this->stiffness));
-      const double volume = compliance == 0 ? 0 : 0.5 * swelling * swelling / compliance;
-      EXPECT_NEAR(this->material.strain_energy(F), shape + volume, 1e-13 * (shape + this->stiffness));
-    }
-  } else {
-    GTEST_SKIP() << "not split";
+template <class M>
+class SplitMaterial : public EveryMaterial<M> {};
+using SplitMaterials = ::testing::Types<NeoHookeanIsochoric, MooneyRivlinIsochoric, NeoHookeanIncompressible,
+                                        MooneyRivlinIncompressible, OgdenIncompressible>;
+TYPED_TEST_SUITE(SplitMaterial, SplitMaterials);
+static_assert(!is_split<NeoHookean> && !is_split<MooneyRivlin> && !is_split<Ogden>);
+
+TYPED_TEST(SplitMaterial, IsTheSumOfAnEnergyOfShapeAndOneOfVolume) {
+  static_assert(is_split<TypeParam>);
+  const double compliance = this->material.volumetric_compliance();
+  EXPECT_EQ(compliance == 0, is_incompressible<TypeParam>());
+  for (const auto& F : some_deformations()) {
+    auto swollen = F;
+    for (int k = 0; k < 9; ++k) swollen(k / 3, k % 3) *= 1.3;
+    const double shape = this->material.distortional().strain_energy(F), swelling = det(F) - 1;
+    EXPECT_NEAR(this->material.distortional().strain_energy(swollen), shape, 1e-13 * (shape + this->stiffness));
+    const double volume = compliance == 0 ? 0 : 0.5 * swelling * swelling / compliance;
+    EXPECT_NEAR(this->material.strain_energy(F), shape + volume, 1e-13 * (shape + this->stiffness));
   }
 }
 

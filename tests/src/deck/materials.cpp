@@ -1,4 +1,5 @@
 // From the deck to the materials of bodies: what is made, what is warned of, what is refused when the scene is made.
+#include "deck/fields.hpp"
 #include "make_material.hpp"
 #include "scene.hpp"
 #include "src/deck/decks.hpp"
@@ -79,9 +80,9 @@ TEST(Materials, BearTheNameOfTheirModel) {
 }
 
 TEST(Materials, AreTheSameFromEveryUsualPair) {
-  for (const std::string pair : {number("youngs modulus", "2.25") + number("poissons ratio", "0.125"),
-                                 number("shear modulus", "1") + number("lame lambda", "0.3333333333333333"),
-                                 number("bulk modulus", "1") + number("shear modulus", "1")}) {
+  for (const std::string& pair : {number("youngs modulus", "2.25") + number("poissons ratio", "0.125"),
+                                  number("shear modulus", "1") + number("lame lambda", "0.3333333333333333"),
+                                  number("bulk modulus", "1") + number("shear modulus", "1")}) {
     const auto material = std::get<NeoHookean>(material_with(model("neo-hookean") + pair));
     EXPECT_NEAR(material.shear_modulus, 1, 1e-15);
     EXPECT_NEAR(material.lame_lambda, 1. / 3, 1e-15);
