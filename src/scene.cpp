@@ -110,7 +110,7 @@ class SceneMaker {
       const Material material = make_material(of_material);
       if (std::visit([](const auto& one) { return is_incompressible<std::decay_t<decltype(one)>>(); }, material))
         error("D19", {"bodies", name, "material"},
-              "the material is incompressible - elements without a pressure of their own cannot hold its volume");
+              "the material is incompressible: elements without a pressure of their own cannot hold its volume");
       Body body{name, material, o.tangent, {}, {}, small_strain_moduli(material).youngs_modulus(), 0, of_material.density};
       for (int b : blocks) {
         if (!owner[b].empty())
