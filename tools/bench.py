@@ -13,10 +13,12 @@ BUILD = ROOT / "build" / "release"
 BASELINE = ROOT / "tests" / "benchmarks" / "baseline.json"
 
 # The kernel that others are compared with; of a whole iteration or run the parts are shares.
-REFERENCE = {"element_residual": "element_tangent/by_hand",
-             "element_tangent/quadrature_points": "element_tangent/by_hand",
-             "element_tangent/whole_element": "element_tangent/by_hand",
-             "pair_tangent": "pair_values"}
+ROUTES = ("quadrature point", "whole element", "complex step", "central differences", "forward differences", "backward differences")
+REFERENCE = {"pair_tangent": "pair_values"}
+for material in ("neo-hookean", "mooney-rivlin", "ogden"):
+    REFERENCE[f"element_residual/{material}"] = f"element_tangent/{material}/analytic"
+    for route in ROUTES:
+        REFERENCE[f"element_tangent/{material}/{route}"] = f"element_tangent/{material}/analytic"
 UNITS = {"s": 1, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
 # What Google Benchmark itself writes about a repetition; every other number is a counter of ours.
 OWN_KEYS = {"family_index", "per_family_instance_index", "repetitions", "repetition_index", "threads", "iterations", "real_time",

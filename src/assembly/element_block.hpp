@@ -35,7 +35,8 @@ class ElementBlock {
   /// Nodes, then the points that carry the pressures.
   using Points = std::array<int, n_nodes + n_pressures>;
 
-  /// @param points of the scene, @param local where their unknowns begin in vectors, @param X reference positions of the nodes [m]
+  /// @param points of the scene, @param local where their unknowns begin in vectors, @param X reference positions of the nodes
+  /// [m]
   void append(int element, const Points& points, const Points& local, const ElementNodes<Element>& X) {
     elements_.push_back(element);
     points_.push_back(points);

@@ -27,6 +27,11 @@ void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
   f.kind("recipe", o.recipe, recipe,
          "a shape that is meshed with hexahedra; it makes one element block, named after the recipe (a graded block too is a "
          "block)");
+  Choices<ElementType> types;
+  for (ElementType type : element_types) types.emplace_back(topology(type).name, type);
+  f.choice("element type", o.element_type, types, Presence::optional,
+           "of a recipe's elements: each hexahedron as one hex8, hex20 or hex27, two wedge6, or six tet4 or tet10; nodes between "
+           "corners are in the middle of straight edges");
   f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
   f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
   f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,
@@ -40,6 +45,7 @@ void describe(Fields& f, MeshOptions& o) {
   f.only_with({"sha256"}, "file", o.file.has_value(), "\"file\"");
   f.rule("D08", {"sha256"}, !o.sha256 || is_sha256(*o.sha256), "must have 64 hexadecimal digits, in lower case");
   describe_recipe(f, o, Presence::optional);
+  f.only_with({"element type"}, "recipe", o.recipe.has_value(), "\"recipe\"");
   f.exactly_one_of({"file", "recipe"});
 }
 
@@ -54,6 +60,9 @@ void describe(Fields& f, BodyOptions& o) {
       "the change of volume is the element's mean. enhanced strain (hex8): nine strains of its own per element, good in "
       "bending too. mixed (hex8 with a constant, hex27 with a linear pressure): for materials that are split into distortion "
       "and volume, up to exact incompressibility; needs the direct solver");
+  f.choice("kinematics", o.kinematics,
+           Choices<Kinematics>{{"three-dimensional", Kinematics::three_dimensional}, {"plane strain", Kinematics::plane_strain}},
+           Presence::optional, "plane strain: no node of the body moves in z; its mesh has one layer of elements");
   f.choice("tangent", o.tangent, tangent_names, Presence::optional,
            "how elements are differentiated: AD of the stress at each quadrature point, moduli derived by hand, AD or complex "
            "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");

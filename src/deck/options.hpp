@@ -22,9 +22,13 @@ struct MeshOptions {
   std::optional<std::string> file;    ///< path relative to the deck
   std::optional<std::string> sha256;  ///< of the file, in lower case; compared before the file is opened
   std::optional<Recipe> recipe;
+  ElementType element_type = ElementType::hex8;  ///< of a recipe's mesh
   std::array<double, 3> origin{0, 0, 0};
   std::array<double, 4> rotation{0, 0, 1, 0};  ///< axis x, y, z and degrees; applied before origin
 };
+
+/// Plane strain: no motion in z.
+enum class Kinematics { three_dimensional, plane_strain };
 
 /// How an element's unknowns make its deformation gradients.
 enum class FormulationKind { standard, f_bar, enhanced, mixed };
@@ -36,6 +40,7 @@ struct BodyOptions {
   std::string material;
   FormulationKind formulation = FormulationKind::standard;
   TangentKind tangent = TangentKind::quadrature_point;
+  Kinematics kinematics = Kinematics::three_dimensional;
 };
 
 /// Prescribed displacement; a component without a formula is free.

@@ -12,6 +12,7 @@
 #include "mesh/angles.hpp"
 #include "mesh/checks.hpp"
 #include "mesh/exodus.hpp"
+#include "mesh/recipes/convert.hpp"
 #include "mesh/recipes/recipes.hpp"
 
 namespace mortise {
@@ -25,7 +26,7 @@ Mesh make_unplaced(const MeshOptions& options, const std::filesystem::path& fold
     errors.throw_if_any();
   }
   if (options.file) return read_exodus(folder / *options.file);
-  return make(*options.recipe);
+  return recipes::with_elements(make(*options.recipe), options.element_type);
 }
 
 /// Rodrigues' rotation of X about the unit vector k:  X cos + (k x X) sin + k (k . X)(1 - cos).

@@ -46,8 +46,7 @@ void element_residual(benchmark::State& state, const Material& material) {
 
 void element_tangent(benchmark::State& state, const Material& material, TangentKind kind) {
   Sample one(material);
-  const auto law =
-      MaterialLaw::whole(one.material, kind == TangentKind::analytic ? ModuliKind::analytic : ModuliKind::automatic);
+  const auto law = MaterialLaw::whole(one.material, kind == TangentKind::analytic ? ModuliKind::analytic : ModuliKind::automatic);
   for (auto _ : state) {
     benchmark::DoNotOptimize(one.element.block.tangent(kind, law, 0, one.x.data(), one.r.data(), one.K.data()));
     benchmark::ClobberMemory();
@@ -56,9 +55,8 @@ void element_tangent(benchmark::State& state, const Material& material, TangentK
 
 /// One hex8 by every route, for a cheap, a usual and a dear material.
 bool register_elements() {
-  const std::pair<const char*, Material> materials[]{{"neo-hookean", sample<NeoHookean>()},
-                                                     {"mooney-rivlin", sample<MooneyRivlin>()},
-                                                     {"ogden", sample<Ogden>()}};
+  const std::pair<const char*, Material> materials[]{
+      {"neo-hookean", sample<NeoHookean>()}, {"mooney-rivlin", sample<MooneyRivlin>()}, {"ogden", sample<Ogden>()}};
   for (const auto& [name, material] : materials) {
     benchmark::RegisterBenchmark((std::string("element_residual/") + name).c_str(), element_residual, material)
         ->Unit(benchmark::kMicrosecond);

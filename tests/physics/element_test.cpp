@@ -3,9 +3,9 @@
 
 #include <Eigen/Eigenvalues>
 
+#include "physics/traction.hpp"
 #include "support/elements.hpp"
 #include "support/gradient_check.hpp"
-#include "physics/traction.hpp"
 #include "support/references.hpp"
 
 namespace mortise::test {
@@ -28,8 +28,7 @@ class EveryElement : public ::testing::Test {
 
   /// Materials that the formulation takes.
   static std::vector<Material> materials() {
-    std::vector<Material> some{NeoHookeanIsochoric::from(moduli),
-                               MooneyRivlinIsochoric{{500, 100}, 2000}};
+    std::vector<Material> some{NeoHookeanIsochoric::from(moduli), MooneyRivlinIsochoric{{500, 100}, 2000}};
     if (is_mixed) {
       some.push_back(NeoHookeanIncompressible{{moduli.shear_modulus()}});
     } else {
@@ -49,9 +48,8 @@ class EveryElement : public ::testing::Test {
   }
 };
 
-using Formulations =
-    ::testing::Types<Standard<Hex8>, Standard<Hex20>, Standard<Hex27>, Standard<Tet4>, Standard<Tet10>, Standard<Wedge6>,
-                     FBar<Hex8>, Enhanced<Hex8>, Mixed<Hex8, 1>, Mixed<Hex27, 4>>;
+using Formulations = ::testing::Types<Standard<Hex8>, Standard<Hex20>, Standard<Hex27>, Standard<Tet4>, Standard<Tet10>,
+                                      Standard<Wedge6>, FBar<Hex8>, Enhanced<Hex8>, Mixed<Hex8, 1>, Mixed<Hex27, 4>>;
 TYPED_TEST_SUITE(EveryElement, Formulations);
 
 TYPED_TEST(EveryElement, HasShapeFunctionsThatSumToOneAndBelongToOneNodeEach) {
@@ -190,7 +188,8 @@ TYPED_TEST(EveryElement, HasForcesThatAreTheDerivativeOfItsEnergy) {
     const auto one = this->element(material);
     const auto x = one.deformed(random, 0);
     EXPECT_TRUE(is_derivative(
-        one.residual(x), [&](const std::vector<double>& q) { return std::vector<double>{one.block.strain_energy(q.data())}; }, x));
+        one.residual(x), [&](const std::vector<double>& q) { return std::vector<double>{one.block.strain_energy(q.data())}; },
+        x));
   }
 }
 
@@ -216,8 +215,9 @@ TYPED_TEST(EveryElement, HasATangentThatIsTheDerivativeOfItsForces) {
     Random random(8);
     const auto one = this->element(material);
     const auto x = one.deformed(random, 100);
-    EXPECT_TRUE(is_derivative(one.tangent(TangentKind::quadrature_point, one.block.law(), x),
-                              [&](const std::vector<double>& q) { return one.residual(q); }, x));
+    EXPECT_TRUE(is_derivative(
+        one.tangent(TangentKind::quadrature_point, one.block.law(), x),
+        [&](const std::vector<double>& q) { return one.residual(q); }, x));
   }
 }
 

@@ -151,4 +151,14 @@ void describe(Fields& f, Wedge& o) {
   f.rule("D08", {"slope", "size"}, o.size[2] + o.slope * o.size[0] > 0, "must leave the right side a positive height");
 }
 
+template <class Fields>
+void describe(Fields& f, Hexahedron& o) {
+  f.optional(
+      "corners", o.corners, anything, "length",
+      "x, y, z of the eight corners: the lower four counter-clockwise seen from above, from left front, then the upper four");
+  f.optional("elements", o.elements, element_count, "-", "number of elements along the three directions");
+  f.optional("grading", o.grading, size_ratio, "-", "size of the last element over the size of the first, per direction");
+  limit_nodes(f, lattice_nodes(o.elements));
+}
+
 }  // namespace mortise::recipes

@@ -117,6 +117,16 @@ struct Wedge {
   std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, per axis
 };
 
+/// The block whose corners are given.
+struct Hexahedron {
+  static constexpr const char* name = "hexahedron";
+  static constexpr const char* help =
+      "a block with straight edges between eight corners, as Cook's membrane or a distorted patch; sides as of a block";
+  std::array<double, 24> corners{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};  ///< x, y, z of each
+  std::array<int, 3> elements{1, 1, 1};
+  std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, per direction
+};
+
 /// The mesh of each recipe, made at the origin.
 /// @throws MeshError M41 with the parameter at fault; M21 where data are so extreme that elements have no volume in doubles
 Mesh make(const Block& o);
@@ -128,12 +138,14 @@ Mesh make(const HollowCylinder& o);
 Mesh make(const RingSector& o);
 Mesh make(const CurvedIndenter& o);
 Mesh make(const Wedge& o);
+Mesh make(const Hexahedron& o);
 
 }  // namespace recipes
 
 /// What a deck may ask for, in the order of the reference.
-using Recipe = std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
-                            recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge>;
+using Recipe =
+    std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
+                 recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge, recipes::Hexahedron>;
 
 /// The mesh of a recipe. @throws MeshError as the recipes' own
 inline Mesh make(const Recipe& recipe) {
