@@ -37,7 +37,7 @@ Tensor3<T> stress_of_first_invariant(const Tensor3<T>& F, const T& W_1, const T&
 
 /// Adds  factor B  to P.
 template <class T>
-void add_to(Tensor3<T>& P, const T& factor, const Tensor3<T>& B) {
+void add_scaled(Tensor3<T>& P, const T& factor, const Tensor3<T>& B) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) P(i, j) += factor * B(i, j);
 }
@@ -47,7 +47,7 @@ void add_to(Tensor3<T>& P, const T& factor, const Tensor3<T>& B) {
 inline void add_moduli_of_volume(const Tensor3<double>& F, double W_J, double W_JJ, Tensor3<double>& P, double A[9][9]) {
   const Tensor3<double> K = cofactor(F);
   const double turn = W_J / det(F), square = W_JJ + turn;
-  add_to(P, W_J, K);
+  add_scaled(P, W_J, K);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
@@ -76,7 +76,7 @@ inline void add_moduli_of_second_invariant(const Tensor3<double>& F, double W_2,
                                            double A[9][9]) {
   const Tensor3<double> K = cofactor(F), G = second_invariant_slope(F), C = transpose_times(F, F), B = times_transpose(F, F);
   const double I1 = norm_squared(F);
-  add_to(P, W_2, G);
+  add_scaled(P, W_2, G);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       for (int k = 0; k < 3; ++k)

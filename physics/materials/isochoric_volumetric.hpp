@@ -36,7 +36,7 @@ struct IsochoricVolumetric {
   template <class T>
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
     Tensor3<T> P = isochoric.first_piola(F);
-    add_to(P, T(bulk_modulus * (det(F) - 1.0)), cofactor(F));
+    add_scaled(P, T(bulk_modulus * (det(F) - 1.0)), cofactor(F));
     return P;
   }
 

@@ -1,39 +1,28 @@
 // Linear elastic solid: Hooke's law between the linearised strain and the stress.
 #pragma once
 
-#include "physics/materials/moduli.hpp"
-#include "physics/tensor.hpp"
+#include "physics/materials/hooke.hpp"
 
 namespace mortise {
 
 /// Linear elastic solid (thesis eq. 3.102), e = sym(F - I). For small strain *and* small rotation: a rotation without strain
 /// stores energy, since e is not invariant under it.
 ///   W(F) = lambda/2 (tr e)^2 + mu e : e
-struct LinearElastic {
+struct LinearElastic : Hooke {
   static constexpr const char* name = "linear elastic";
-  double shear_modulus;  ///< mu     [Pa], > 0
-  double lame_lambda;    ///< lambda [Pa]
 
-  static LinearElastic from(const Moduli& m) { return {m.shear_modulus(), m.lame_lambda()}; }
-  Moduli small_strain() const { return Moduli::from_shear_and_lambda(shear_modulus, lame_lambda); }
+  static LinearElastic from(const Moduli& m) { return {{m.shear_modulus(), m.lame_lambda()}}; }
 
   /// Strain energy per unit reference volume [J/m^3].
   template <class T>
   T strain_energy(const Tensor3<T>& F) const {
-    const Tensor3<T> e = linearised_strain(F);
-    const T trace = e(0, 0) + e(1, 1) + e(2, 2);
-    return 0.5 * lame_lambda * trace * trace + shear_modulus * norm_squared(e);
+    return energy(linearised_strain(F));
   }
 
   /// First Piola-Kirchhoff stress P = dW/dF [Pa], at small strain the same as any other:  P = lambda tr e I + 2 mu e.
   template <class T>
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
-    Tensor3<T> P = linearised_strain(F);
-    const T pressure = lame_lambda * (P(0, 0) + P(1, 1) + P(2, 2));
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) P(i, j) = 2.0 * shear_modulus * P(i, j);
-    for (int i = 0; i < 3; ++i) P(i, i) += pressure;
-    return P;
+    return stress(linearised_strain(F));
   }
 
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa]:  lambda d_iJ d_kL + mu (d_ik d_JL + d_iL d_kJ).

@@ -1,4 +1,4 @@
-// The closed set of materials: a new one is its header, one line here, one in the deck table, one in the test list.
+// The closed set of materials: a new one is its header and one line here; CONTRIBUTING.md has the rest.
 #pragma once
 
 #include <type_traits>

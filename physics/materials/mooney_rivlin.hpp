@@ -30,7 +30,7 @@ struct MooneyRivlin {
     const T J = det(F);
     const T W_J = 2.0 * c * (J - 1.0) - d() / J;
     Tensor3<T> P = stress_of_first_invariant(F, T(c1), W_J);
-    add_to(P, T(c2), second_invariant_slope(F));
+    add_scaled(P, T(c2), second_invariant_slope(F));
     return P;
   }
 

@@ -31,7 +31,7 @@ struct MooneyRivlinDistortional {
     const T W_1 = c1 * shrink, W_2 = c2 * shrink * shrink;
     const T W_J = (-2.0 / 3.0 * W_1 * norm_squared(F) - 4.0 / 3.0 * W_2 * second_invariant(F)) / J;
     Tensor3<T> P = stress_of_first_invariant(F, W_1, W_J);
-    add_to(P, W_2, second_invariant_slope(F));
+    add_scaled(P, W_2, second_invariant_slope(F));
     return P;
   }
 

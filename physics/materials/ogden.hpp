@@ -34,7 +34,7 @@ struct Ogden {
     using std::log;
     const T J = det(F), log_J = log(J), exponent = -volumetric_exponent * log_J;
     Tensor3<T> P = isochoric.first_piola(F);
-    add_to(P, T(bulk_modulus * log_J * exponential_quotient(exponent) / J), cofactor(F));
+    add_scaled(P, T(bulk_modulus * log_J * exponential_quotient(exponent) / J), cofactor(F));
     return P;
   }
 

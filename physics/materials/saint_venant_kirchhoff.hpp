@@ -1,40 +1,34 @@
 // Saint Venant-Kirchhoff solid: Hooke's law between the Green-Lagrange strain and the second Piola-Kirchhoff stress.
 #pragma once
 
-#include "physics/materials/moduli.hpp"
-#include "physics/tensor.hpp"
+#include "physics/materials/hooke.hpp"
 
 namespace mortise {
 
 /// Saint Venant-Kirchhoff solid (thesis eq. 3.106), E = (F^T F - I)/2. Softens and fails in strong compression: for moderate
 /// strain.
 ///   W(F) = lambda/2 (tr E)^2 + mu E : E
-struct SaintVenantKirchhoff {
+struct SaintVenantKirchhoff : Hooke {
   static constexpr const char* name = "saint venant-kirchhoff";
-  double shear_modulus;  ///< mu     [Pa], > 0
-  double lame_lambda;    ///< lambda [Pa]
 
-  static SaintVenantKirchhoff from(const Moduli& m) { return {m.shear_modulus(), m.lame_lambda()}; }
-  Moduli small_strain() const { return Moduli::from_shear_and_lambda(shear_modulus, lame_lambda); }
+  static SaintVenantKirchhoff from(const Moduli& m) { return {{m.shear_modulus(), m.lame_lambda()}}; }
 
   /// Strain energy per unit reference volume [J/m^3].
   template <class T>
   T strain_energy(const Tensor3<T>& F) const {
-    const Tensor3<T> E = green_lagrange(F);
-    const T trace = E(0, 0) + E(1, 1) + E(2, 2);
-    return 0.5 * lame_lambda * trace * trace + shear_modulus * norm_squared(E);
+    return energy(green_lagrange(F));
   }
 
-  /// First Piola-Kirchhoff stress P = dW/dF [Pa]:  P = F (lambda tr E I + 2 mu E).
+  /// First Piola-Kirchhoff stress P = dW/dF [Pa]:  P = F S,  S = lambda tr E I + 2 mu E (thesis eq. 3.107).
   template <class T>
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
-    return F * second_piola(F);
+    return F * stress(green_lagrange(F));
   }
 
-  /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa], with S = F^-1 P and B = F F^T (thesis eq. 3.108):
+  /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa], with B = F F^T (thesis eq. 3.108):
   ///   d_ik S_JL + lambda F_iJ F_kL + mu (F_iL F_kJ + B_ik d_JL)
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
-    const Tensor3<double> S = second_piola(F), B = times_transpose(F, F);
+    const Tensor3<double> S = stress(green_lagrange(F)), B = times_transpose(F, F);
     P = F * S;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) {
@@ -49,17 +43,6 @@ struct SaintVenantKirchhoff {
   }
 
  private:
-  /// S = lambda tr E I + 2 mu E  [Pa] (thesis eq. 3.107).
-  template <class T>
-  Tensor3<T> second_piola(const Tensor3<T>& F) const {
-    Tensor3<T> S = green_lagrange(F);
-    const T pressure = lame_lambda * (S(0, 0) + S(1, 1) + S(2, 2));
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) S(i, j) = 2.0 * shear_modulus * S(i, j);
-    for (int i = 0; i < 3; ++i) S(i, i) += pressure;
-    return S;
-  }
-
   template <class T>
   static Tensor3<T> green_lagrange(const Tensor3<T>& F) {
     Tensor3<T> E = transpose_times(F, F);

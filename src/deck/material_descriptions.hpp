@@ -118,8 +118,9 @@ void describe(Fields& f, Ogden& o) {
 template <class Fields>
 void describe(Fields& f, MaterialOptions& o) {
   f.kind("model", o.model, Presence::required,
-         "strain energy W per reference volume; numbers in brackets are equations of the thesis");
-  f.optional("density", o.density, positive, "mass/length^3", "mass per reference volume");
+         "strain energy W per reference volume; numbers in brackets are equations of the thesis. The incompressible models "
+         "need elements with a pressure of their own, which do not exist yet: a body of them is refused");
+  f.optional("density", o.density, positive, "mass/length^3", "mass per reference volume; no static run has a use for it");
 }
 
 }  // namespace mortise

@@ -20,8 +20,8 @@ template <class M>
 class EveryMaterial : public ::testing::Test {
  protected:
   const M material = sample<M>();
-  /// The greatest of the moduli at rest [Pa].
-  const double stiffness = largest(moduli_by_hand(material, identity<double>()));
+  /// Young's modulus at rest [Pa].
+  const double stiffness = material.small_strain().youngs_modulus();
   /// Linear elasticity is the one that notices rotations.
   static constexpr bool is_invariant = !std::is_same_v<M, LinearElastic>;
 };
@@ -76,9 +76,11 @@ TYPED_TEST(EveryMaterial, HasAStressThatTurnsWithSpace) {
 }
 
 TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
-  // beside a constant that is as large as the terms whose difference W is, so that their round-off is expected
-  const auto energy = [this](const std::vector<double>& F) {
-    return std::vector<double>{this->stiffness + this->material.strain_energy(tensor(F))};
+  // Without a volumetric part W is small against the terms whose difference it is: beside a constant of their size their
+  // round-off is expected.
+  const double terms = is_incompressible<TypeParam>() ? this->stiffness : 0;
+  const auto energy = [&](const std::vector<double>& F) {
+    return std::vector<double>{terms + this->material.strain_energy(tensor(F))};
   };
   for (const auto& F : some_deformations())
     EXPECT_TRUE(is_derivative(entries(this->material.first_piola(F)), energy, entries(F)));
@@ -86,14 +88,16 @@ TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
 
 TYPED_TEST(EveryMaterial, HasModuliThatAreTheDerivativeOfItsStress) {
   const auto stress = [this](const std::vector<double>& F) { return entries(this->material.first_piola(tensor(F))); };
-  for (const auto& F : some_deformations()) EXPECT_TRUE(is_derivative(moduli_by_hand(this->material, F), stress, entries(F)));
+  for (const auto& F : some_deformations())
+    for (const auto& A : {moduli_by_hand(this->material, F), moduli_by_ad(this->material, F)})
+      EXPECT_TRUE(is_derivative(A, stress, entries(F)));
 }
 
 TYPED_TEST(EveryMaterial, HasTheSameModuliByHandAndByAutomaticDifferentiation) {
   for (const auto& all : {some_deformations(), nearly_equal_stretches()})
     for (const auto& F : all) {
       const auto by_hand = moduli_by_hand(this->material, F), by_ad = moduli_by_ad(this->material, F);
-      for (int k = 0; k < 81; ++k) EXPECT_NEAR(by_hand[k], by_ad[k], 1e-12 * largest(by_ad));
+      for (int k = 0; k < 81; ++k) EXPECT_NEAR(by_hand[k], by_ad[k], 1e-13 * largest(by_ad));
     }
 }
 
@@ -123,26 +127,25 @@ TYPED_TEST(EveryMaterial, HasADerivativeByComplexStep) {
 }
 
 TYPED_TEST(EveryMaterial, HasSymmetricModuli) {
-  for (const auto& F : some_deformations()) {
-    const auto A = moduli_by_hand(this->material, F);
-    for (int k = 0; k < 9; ++k)
-      for (int l = 0; l < k; ++l) EXPECT_NEAR(A[9 * k + l], A[9 * l + k], 1e-14 * largest(A));
-  }
+  for (const auto& F : some_deformations())
+    for (const auto& A : {moduli_by_hand(this->material, F), moduli_by_ad(this->material, F)})
+      for (int k = 0; k < 9; ++k)
+        for (int l = 0; l < k; ++l) EXPECT_NEAR(A[9 * k + l], A[9 * l + k], 1e-14 * largest(A));
 }
 
 TYPED_TEST(EveryMaterial, IsHookeAtSmallStrain) {
-  const auto A = moduli_by_hand(this->material, identity<double>());
   const Moduli rest = this->material.small_strain();
   // without a volumetric energy the bulk modulus is 0: the stress of the energy of shape is a deviator
   const double mu = rest.shear_modulus(), lambda = is_incompressible<TypeParam>() ? -2 * mu / 3 : rest.lame_lambda();
   EXPECT_GT(mu, 300);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int k = 0; k < 3; ++k)
-        for (int l = 0; l < 3; ++l)
-          EXPECT_NEAR(A[9 * (3 * i + j) + 3 * k + l],
-                      lambda * (i == j) * (k == l) + mu * ((i == k) * (j == l) + (i == l) * (j == k)),
-                      1e-14 * 2 * mu + 1e-14 * std::abs(lambda));
+  for (const auto& A : {moduli_by_hand(this->material, identity<double>()), moduli_by_ad(this->material, identity<double>())})
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l)
+            EXPECT_NEAR(A[9 * (3 * i + j) + 3 * k + l],
+                        lambda * (i == j) * (k == l) + mu * ((i == k) * (j == l) + (i == l) * (j == k)),
+                        1e-14 * 2 * mu + 1e-14 * std::abs(lambda));
 }
 
 TYPED_TEST(EveryMaterial, StoresEverMoreEnergyInEverLargerStretch) {
@@ -185,7 +188,9 @@ TYPED_TEST_SUITE(GrowingMaterial, GrowingMaterials);
 
 TYPED_TEST(GrowingMaterial, CannotBeCompressedToNothing) {
   double last = 0;
-  for (double size = 0.1; size > 1e-10; size *= 0.1) {  // each decade costs more than the one before
+  // J^-9 of Ogden's volume, and already J^-1.5, are no numbers any more where a logarithm still is one
+  const double smallest = std::is_same_v<TypeParam, NeoHookean> || std::is_same_v<TypeParam, MooneyRivlin> ? 1e-90 : 1e-10;
+  for (double size = 0.1; size > smallest; size *= 0.1) {  // each decade costs more than the one before
     const double W = this->material.strain_energy(Tensor3<double>{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}});
     EXPECT_GT(W, last + moduli.shear_modulus());
     last = W;
