@@ -35,6 +35,17 @@ ExitCode check_command(const std::filesystem::path& file, const RCP<const Comm>&
 /// `mortise mesh`: writes the mesh of a recipe.
 ExitCode mesh_command(const std::filesystem::path& recipe, const std::filesystem::path& output, const RCP<const Comm>& comm);
 
+struct TangentsOptions {
+  std::optional<std::filesystem::path> deck;    ///< none: the study of numerical differentiation (thesis Fig. D.1)
+  std::optional<std::filesystem::path> output;  ///< CSV file
+  bool overwrite = false;
+  int most = 100;  ///< elements, or secondary facets, of a term
+};
+
+/// `mortise tangents`: differentiates every term of a scene in every way, at the initial and a deformed state, and compares.
+/// @throws UserError with code 8 if one disagrees, after the tables have been printed and written
+ExitCode tangents_command(const TangentsOptions& options, const RCP<const Comm>& comm);
+
 /// `mortise describe`: prints the deck reference, or one list of it, or all of it as a schema.
 ExitCode describe_command(const std::string& list, bool as_schema, const RCP<const Comm>& comm);
 

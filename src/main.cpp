@@ -69,6 +69,21 @@ int main(int argc, char** argv) {
   auto* mesh_app = app.add_subcommand("mesh", "write the mesh of a recipe");
   mesh_app->add_option("recipe", recipe, "the recipe (XML)")->required();
   mesh_app->add_option("-o,--output", mesh_file, "Exodus file to write")->required();
+  TangentsOptions tangents;
+  std::filesystem::path tangents_deck, tangents_file;
+  bool is_study = false;
+  auto* tangents_app = app.add_subcommand("tangents", "compare all ways to differentiate the terms of a scene");
+  auto* tangents_deck_option = tangents_app->add_option("deck", tangents_deck, "the deck (XML)");
+  tangents_app->add_option("--most", tangents.most, "elements of a body, or facets of a contact pair, that are compared at most")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  tangents_app->add_flag("--study", is_study, "errors of numerical derivatives over the step size instead (thesis Fig. D.1)")
+      ->excludes(tangents_deck_option);
+  tangents_app->add_option("-o,--output", tangents_file, "CSV file to write");
+  tangents_app->add_flag("--overwrite", tangents.overwrite, "replace that file");
+  tangents_app->callback([&] {
+    if (!is_study && tangents_deck.empty()) throw CLI::RequiredError("deck");
+  });
   auto* describe_app = app.add_subcommand("describe", "print the deck reference");
   auto* list_option = describe_app->add_option("list", list, "one list of it, e.g. contact");
   describe_app->add_flag("--schema", as_schema, "as RELAX NG schema of whole decks, for editors")->excludes(list_option);
@@ -80,6 +95,8 @@ int main(int argc, char** argv) {
   }
   if (!output.empty()) run.output = output;
   if (!moved_deck.empty()) restart.deck = moved_deck;
+  if (!tangents_deck.empty()) tangents.deck = tangents_deck;
+  if (!tangents_file.empty()) tangents.output = tangents_file;
 
   try {
     ExitCode code = ExitCode::done;
@@ -87,6 +104,7 @@ int main(int argc, char** argv) {
     if (*restart_app) code = restart_command(restart, comm);
     if (*check_app) code = check_command(file, comm);
     if (*mesh_app) code = mesh_command(recipe, mesh_file, comm);
+    if (*tangents_app) code = tangents_command(tangents, comm);
     if (*describe_app) code = describe_command(list, as_schema, comm);
     return finish(*comm, static_cast<int>(code), "");
   } catch (const UserError& error) {

@@ -30,7 +30,7 @@ class ElementBlock {
   using Element = typename Formulation::Element;
   static constexpr int n_nodes = Element::n_nodes, n_pressures = Formulation::n_pressures;
 
-  ElementBlock(const MaterialLaw& law, TangentKind kind) : law_(law), kind_(kind) {}
+  ElementBlock(const MaterialLaw& law, TangentKind kind) : law_(law), kind_(kind), stiffness_(shear_modulus(law)) {}
 
   /// Nodes, then the points that carry the pressures.
   using Points = std::array<int, n_nodes + n_pressures>;
@@ -50,6 +50,8 @@ class ElementBlock {
   }
 
   std::size_t size() const { return elements_.size(); }
+  int element(std::size_t e) const { return elements_[e]; }  ///< number over all blocks
+  static constexpr int n_unknowns() { return n_global; }     ///< of an element, without local ones
   /// What is kept per element [bytes], without the matrix.
   static constexpr std::size_t bytes_per_element() {
     return sizeof(typename Formulation::Geometry) + 2 * sizeof(Points) + sizeof(int);
@@ -74,7 +76,7 @@ class ElementBlock {
   bool add_tangent(const double* x, double* f, SystemMatrix& matrix) const {
     for (std::size_t e = 0; e < size(); ++e) {
       double r[n_global], K[n_global * n_global];
-      if (!tangent(kind_, law_, e, x, r, K)) return false;
+      if (!tangent(kind_, best_step(kind_), law_, e, x, r, K)) return false;
       scatter(e, r, f);
       matrix.add(first_cell_ + e, K);
     }
@@ -82,20 +84,23 @@ class ElementBlock {
   }
 
   /// Residual and tangent of one element by any kind, local unknowns eliminated; overwrites r and K.
-  bool tangent(TangentKind kind, const MaterialLaw& law, std::size_t e, const double* x, double* r, double* K) const {
+  /// @param relative_step  of complex step and differences: see `best_step`
+  bool tangent(TangentKind kind, double relative_step, const MaterialLaw& law, std::size_t e, const double* x, double* r,
+               double* K) const {
     double y[n_all];
     gather(e, x, y);
     if constexpr (Formulation::n_local == 0) {
       std::fill_n(r, n_global, 0.0);
       std::fill_n(K, n_global * n_global, 0.0);
-      return differentiate(kind, law, e, y, r, K);
+      return differentiate(kind, relative_step, law, e, y, r, K);
     } else {
       double r_all[n_all], K_all[n_all * n_all];
       if (!equilibrate(e, y, r_all, K_all)) return false;
-      if (kind != TangentKind::quadrature_point) {  // which has been found on the way
+      const bool is_at_points = kind == TangentKind::quadrature_point || kind == TangentKind::analytic;
+      if (!is_at_points || &law != &law_) {  // otherwise it has been found on the way
         std::fill_n(r_all, n_all, 0.0);
         std::fill_n(K_all, n_all * n_all, 0.0);
-        if (!differentiate(kind, law, e, y, r_all, K_all)) return false;
+        if (!differentiate(kind, relative_step, law, e, y, r_all, K_all)) return false;
       }
       return condense<n_global, Formulation::n_local>(K_all, r_all, K, r);
     }
@@ -127,6 +132,21 @@ class ElementBlock {
 
   const MaterialLaw& law() const { return law_; }
 
+  /// Size of each unknown of an element, for steps and for comparing entries of its tangent: edge [m], shear modulus [Pa], 1.
+  std::array<double, Count<Formulation>::all> scales(std::size_t e) const {
+    std::array<double, n_all> scale;
+    const double size = std::cbrt(volume<Element>(geometry_[e]));
+    for (int k = 0; k < n_all; ++k) scale[k] = k < 3 * n_nodes ? size : k < n_global ? stiffness_ : 1;
+    return scale;
+  }
+
+  /// The unknowns of an element at `x`, without local ones.
+  std::vector<double> unknowns(std::size_t e, const double* x) const {
+    double y[n_all];
+    gather(e, x, y);
+    return {y, y + n_global};
+  }
+
  private:
   static constexpr int n_global = Count<Formulation>::global, n_all = Count<Formulation>::all;
   void gather(std::size_t e, const double* x, double* y) const {
@@ -142,11 +162,10 @@ class ElementBlock {
     for (int m = 0; m < n_pressures; ++m) f[local_[e][n_nodes + m]] += r[3 * n_nodes + m];
   }
 
-  bool differentiate(TangentKind kind, const MaterialLaw& law, std::size_t e, const double* y, double* r, double* K) const {
-    double scale[n_all];
-    const double size = std::cbrt(volume<Element>(geometry_[e]));
-    for (int k = 0; k < n_all; ++k) scale[k] = k < 3 * n_nodes ? size : 1;
-    return element_tangent<Formulation>(kind, law, geometry_[e], y, scale, r, K);
+  bool differentiate(TangentKind kind, double relative_step, const MaterialLaw& law, std::size_t e, const double* y, double* r,
+                     double* K) const {
+    const std::array<double, n_all> scale = scales(e);
+    return element_tangent<Formulation>(kind, relative_step, law, geometry_[e], y, scale.data(), r, K);
   }
 
   /// Gathers, and solves for the local unknowns.
@@ -179,8 +198,16 @@ class ElementBlock {
     return false;
   }
 
+  static double shear_modulus(const MaterialLaw& law) {
+    Tensor3<double> P;
+    double A[9][9];
+    law.moduli(identity<double>(), P, A);
+    return A[1][1];  // dP_12/dF_12 at rest
+  }
+
   MaterialLaw law_;
   TangentKind kind_;
+  double stiffness_;
   std::vector<int> elements_;
   std::vector<Points> points_, local_;
   std::vector<typename Formulation::Geometry> geometry_;

@@ -33,13 +33,14 @@ bool whole_element_tangent(const Law& law, const Geometry& geometry, const doubl
   return true;
 }
 
-/// The same by complex step (thesis eq. D.5): Im r(y + i h) / h, exact to round-off for any small h.
+/// The same by complex step (thesis eq. D.5): Im r(y + i h) / h, exact to round-off for any small h = `relative_step` x scale.
 template <class Formulation, class Law, class Geometry>
-bool complex_step_tangent(const Law& law, const Geometry& geometry, const double* y, const double* scale, double* r, double* K) {
+bool complex_step_tangent(const Law& law, const Geometry& geometry, double relative_step, const double* y, const double* scale,
+                          double* r, double* K) {
   constexpr int n = Count<Formulation>::all;
   if (!Formulation::add_residual(law, geometry, y, r)) return false;
   for (int l = 0; l < n; ++l) {
-    const double h = 1e-30 * scale[l];
+    const double h = relative_step * scale[l];
     std::complex<double> y_c[n], r_c[n];
     std::copy(y, y + n, y_c);
     y_c[l] += std::complex<double>(0, h);
@@ -72,17 +73,20 @@ bool difference_tangent(const Law& law, const Geometry& geometry, TangentKind ki
   return true;
 }
 
-/// The step, relative to the scale of an unknown, at which truncation and round-off balance.
+/// The step, relative to the scale of an unknown: for differences where truncation and round-off balance, for the complex step
+/// where truncation is below any round-off.
 inline double best_step(TangentKind kind) {
   constexpr double eps = std::numeric_limits<double>::epsilon();
+  if (kind == TangentKind::complex_step) return 1e-30;
   return kind == TangentKind::central_differences ? std::cbrt(eps) : std::sqrt(eps);
 }
 
-/// r and K by any kind; both are added to. @param scale size of each unknown, for steps
+/// r and K by any kind; both are added to.
+/// @param relative_step  of complex step and differences  @param scale size of each unknown, for steps
 /// @return false for an inadmissible state
 template <class Formulation, class Law, class Geometry>
-bool element_tangent(TangentKind kind, const Law& law, const Geometry& geometry, const double* y, const double* scale, double* r,
-                     double* K) {
+bool element_tangent(TangentKind kind, double relative_step, const Law& law, const Geometry& geometry, const double* y,
+                     const double* scale, double* r, double* K) {
   switch (kind) {
     case TangentKind::quadrature_point:
     case TangentKind::analytic:  // the law knows which
@@ -90,9 +94,9 @@ bool element_tangent(TangentKind kind, const Law& law, const Geometry& geometry,
     case TangentKind::whole_element:
       return whole_element_tangent<Formulation>(law, geometry, y, r, K);
     case TangentKind::complex_step:
-      return complex_step_tangent<Formulation>(law, geometry, y, scale, r, K);
+      return complex_step_tangent<Formulation>(law, geometry, relative_step, y, scale, r, K);
     default:
-      return difference_tangent<Formulation>(law, geometry, kind, best_step(kind), y, scale, r, K);
+      return difference_tangent<Formulation>(law, geometry, kind, relative_step, y, scale, r, K);
   }
 }
 
