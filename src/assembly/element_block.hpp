@@ -129,9 +129,12 @@ class ElementBlock {
 
   const MaterialLaw& law() const { return law_; }
 
+  /// Points of an element: its nodes, then its pressures.
+  using Points = std::array<int, n_nodes + n_pressures>;
+  const Points& points(std::size_t e) const { return points_[e]; }
+
  private:
   static constexpr int n_global = Count<Formulation>::global, n_all = Count<Formulation>::all;
-  using Points = std::array<int, n_nodes + n_pressures>;
 
   void gather(std::size_t e, const double* x, double* y) const {
     for (int a = 0; a < n_nodes; ++a)
