@@ -72,7 +72,8 @@ TEST(Loads, GiveTheSameOnOneRankAndOnAllAndALedgerThatCloses) {
   EXPECT_LE(difference, 1e-10);
   for (const char* column : {"strain_energy", "external_work", "damping_dissipation", "reaction_z.bottom"})
     EXPECT_NEAR(all[column].back(), one[column].back(), 1e-10 * std::abs(one[column].back())) << column;
-  EXPECT_GT(all["damping_dissipation"].back(), 0);
+  EXPECT_GT(all["damping_dissipation"].back(), 0.01 * all["external_work"].back());
+  EXPECT_GT(all["strain_energy"].back(), 0.1) << "nothing was pressed";
   EXPECT_EQ(all["time"], (std::vector<double>{0, 0.25, 0.3, 0.55, 0.6, 0.85, 1})) << "starts and ends are stops";
   EXPECT_LE(all.relative_mismatch(), 1e-11);
   if (world()->getRank() == 0)
@@ -105,19 +106,18 @@ TEST(Springs, InSeriesWithABarMeetTheirClosedForm) {
   const std::string sides =
       list("left", word("set", "bar/left") + word("x", "0")) + list("front", word("set", "bar/front") + word("y", "0"));
   const double force = 7 * area, in_bar = -7 * length / modulus;
-  const auto run_on = [&](const std::string& spring) {
+  const auto on = [&](const std::string& spring) -> std::string {
     deck.lists = list("supports", sides) + list("springs", list("ground", word("set", "bar/bottom") + spring)) +
                  list("loads", list("load", word("type", "traction") + word("set", "bar/top") + word("z", "-7*t")));
-    MarchedScene run(deck);
-    EXPECT_EQ(run.summary.code, ExitCode::done) << run.log;
-    EXPECT_LE(run.relative_mismatch(), 1e-11);
-    return run;
+    return deck;
   };
-  const auto bedding = run_on(word("type", "bedding") + number("z", "2"));
+  const MarchedScene bedding(on(word("type", "bedding") + number("z", "2")));
   EXPECT_NEAR(bedding["displacement_z.top"].back(), in_bar - force / (2 * area), 1e-12);
   EXPECT_NEAR(bedding["strain_energy"].back(), 0.5 * force * (force / (2 * area) - in_bar), 1e-10) << "the spring's is in it";
-  const auto nodes = run_on(word("type", "nodes") + number("z", "3"));
+  EXPECT_LE(bedding.relative_mismatch(), 1e-11);
+  const MarchedScene nodes(on(word("type", "nodes") + number("z", "3")));
   EXPECT_NEAR(nodes["displacement_z.top"].back(), in_bar - force / (4 * 3), 1e-12);
+  EXPECT_LE(nodes.relative_mismatch(), 1e-11);
 }
 
 // Each for t in (0.3, 0.6] only, on a bar that springs back at once.

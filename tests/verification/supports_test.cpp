@@ -85,7 +85,7 @@ TEST(Velocity, StartsFromWhereTheNodesAre) {
 
 // Held from 0.3 to 0.6, free before and after.
 TEST(Supports, ActBetweenTheirStartAndTheirEnd) {
-  for (const std::string kind : {word("z", "-0.1"), word("type", "displacement") + word("z", "-0.1")}) {
+  for (const std::string& kind : {word("z", "-0.1"), word("type", "displacement") + word("z", "-0.1")}) {
     BarDeck deck;
     deck.step = "0.4";
     deck.lists = supports(rollers() + list("top", kind + word("set", "bar/top") + number("start", "0.3") + number("end", "0.6")));
@@ -159,7 +159,8 @@ TEST(Symmetry, RefusesSidesThatAreCurvedSlantedOrNone) {
   const std::string block = word("recipe", "block") + deck_parameter("size", "Array(double)", "{2, 3, 10}");
   const std::string turned = with(deck, block, block + deck_parameter("rotation", "Array(double)", "{0, 0, 1, 30}"));
   expect_refused(turned, "is normal to (-0.866025, -0.5, 0) - a symmetry plane must be normal to x, y or z: turn the mesh");
-  const std::string tube = word("recipe", "hollow cylinder");
+  const std::string tube =
+      word("recipe", "hollow cylinder") + number("inner radius", "1") + number("outer radius", "2") + number("height", "3");
   expect_refused(with(with(deck, block + deck_parameter("elements", "Array(int)", "{2, 2, 4}"), tube), "bar/left", "bar/outer"),
                  "is not flat - a symmetry plane is needed");
 }
