@@ -28,7 +28,7 @@ Tensor3<T> second_invariant_slope(const Tensor3<T>& F) {
 
 /// First Piola-Kirchhoff stress [Pa] of W(I1, J):  P = 2 W_1 F + W_J cof F.
 template <class T>
-Tensor3<T> stress_of_I1_J(const Tensor3<T>& F, const T& W_1, const T& W_J) {
+Tensor3<T> stress_of_first_invariant(const Tensor3<T>& F, const T& W_1, const T& W_J) {
   Tensor3<T> P = cofactor(F);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) P(i, j) = 2.0 * W_1 * F(i, j) + W_J * P(i, j);
@@ -44,7 +44,7 @@ void add_to(Tensor3<T>& P, const T& factor, const Tensor3<T>& B) {
 
 /// P and A of W(J):  P = W_J K,  A = W_JJ K (x) K + W_J dK/dF  with K = cof F,  dK_iJ/dF_kL = (K_iJ K_kL - K_iL K_kJ) / J.
 /// Both are added to.
-inline void add_moduli_of_J(const Tensor3<double>& F, double W_J, double W_JJ, Tensor3<double>& P, double A[9][9]) {
+inline void add_moduli_of_volume(const Tensor3<double>& F, double W_J, double W_JJ, Tensor3<double>& P, double A[9][9]) {
   const Tensor3<double> K = cofactor(F);
   const double turn = W_J / det(F), square = W_JJ + turn;
   add_to(P, W_J, K);
@@ -54,9 +54,9 @@ inline void add_moduli_of_J(const Tensor3<double>& F, double W_J, double W_JJ, T
         for (int l = 0; l < 3; ++l) A[3 * i + j][3 * k + l] += square * K(i, j) * K(k, l) - turn * K(i, l) * K(k, j);
 }
 
-/// P and A of W(I1, J):  A = 2 W_1 1 + 2 W_1J (F (x) K + K (x) F) + what W_J and W_JJ add (see `add_moduli_of_J`).
-inline void moduli_of_I1_J(const Tensor3<double>& F, double W_1, double W_J, double W_1J, double W_JJ, Tensor3<double>& P,
-                           double A[9][9]) {
+/// P and A of W(I1, J):  A = 2 W_1 1 + 2 W_1J (F (x) K + K (x) F) + what W_J and W_JJ add (see `add_moduli_of_volume`).
+inline void moduli_of_first_invariant(const Tensor3<double>& F, double W_1, double W_J, double W_1J, double W_JJ,
+                                      Tensor3<double>& P, double A[9][9]) {
   const Tensor3<double> K = cofactor(F);
   const double turn = W_J / det(F), square = W_JJ + turn;
   for (int i = 0; i < 3; ++i)
@@ -72,7 +72,8 @@ inline void moduli_of_I1_J(const Tensor3<double>& F, double W_1, double W_J, dou
 /// Adds to P and A what a term of W that is linear in I2 gives, but for W_J and W_JJ:  P += W_2 G  with G = dI2/dF,
 ///   A += W_2J (G (x) K + K (x) G) + W_2 dG/dF,
 ///   dG_iJ/dF_kL = 2 (2 F_iJ F_kL - F_iL F_kJ + I1 d_ik d_JL - d_ik C_JL - B_ik d_JL),  B = F F^T.
-inline void add_moduli_of_I2(const Tensor3<double>& F, double W_2, double W_2J, Tensor3<double>& P, double A[9][9]) {
+inline void add_moduli_of_second_invariant(const Tensor3<double>& F, double W_2, double W_2J, Tensor3<double>& P,
+                                           double A[9][9]) {
   const Tensor3<double> K = cofactor(F), G = second_invariant_slope(F), C = transpose_times(F, F), B = times_transpose(F, F);
   const double I1 = norm_squared(F);
   add_to(P, W_2, G);

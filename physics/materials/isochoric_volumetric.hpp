@@ -43,7 +43,7 @@ struct IsochoricVolumetric {
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa].  Needs J > 0.
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
     isochoric.moduli(F, P, A);
-    add_moduli_of_J(F, bulk_modulus * (det(F) - 1), bulk_modulus, P, A);
+    add_moduli_of_volume(F, bulk_modulus * (det(F) - 1), bulk_modulus, P, A);
   }
 };
 

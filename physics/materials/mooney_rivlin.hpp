@@ -29,7 +29,7 @@ struct MooneyRivlin {
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
     const T J = det(F);
     const T W_J = 2.0 * c * (J - 1.0) - d() / J;
-    Tensor3<T> P = stress_of_I1_J(F, T(c1), W_J);
+    Tensor3<T> P = stress_of_first_invariant(F, T(c1), W_J);
     add_to(P, T(c2), second_invariant_slope(F));
     return P;
   }
@@ -37,8 +37,8 @@ struct MooneyRivlin {
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa] by the chain rule of invariants.hpp.  Needs J > 0.
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
     const double J = det(F);
-    moduli_of_I1_J(F, c1, 2 * c * (J - 1) - d() / J, 0, 2 * c + d() / (J * J), P, A);
-    add_moduli_of_I2(F, c2, 0, P, A);
+    moduli_of_first_invariant(F, c1, 2 * c * (J - 1) - d() / J, 0, 2 * c + d() / (J * J), P, A);
+    add_moduli_of_second_invariant(F, c2, 0, P, A);
   }
 };
 

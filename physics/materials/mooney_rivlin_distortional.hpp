@@ -30,7 +30,7 @@ struct MooneyRivlinDistortional {
     const T J = det(F), shrink = pow(J, -2.0 / 3.0);
     const T W_1 = c1 * shrink, W_2 = c2 * shrink * shrink;
     const T W_J = (-2.0 / 3.0 * W_1 * norm_squared(F) - 4.0 / 3.0 * W_2 * second_invariant(F)) / J;
-    Tensor3<T> P = stress_of_I1_J(F, W_1, W_J);
+    Tensor3<T> P = stress_of_first_invariant(F, W_1, W_J);
     add_to(P, W_2, second_invariant_slope(F));
     return P;
   }
@@ -40,8 +40,8 @@ struct MooneyRivlinDistortional {
     const double J = det(F), I1 = norm_squared(F), I2 = second_invariant(F), shrink = 1 / (std::cbrt(J) * std::cbrt(J));
     const double W_1 = c1 * shrink, W_2 = c2 * shrink * shrink, W_1J = -2. / 3. * W_1 / J, W_2J = -4. / 3. * W_2 / J;
     const double W_JJ = (-5. / 3. * W_1J * I1 - 7. / 3. * W_2J * I2) / J;
-    moduli_of_I1_J(F, W_1, W_1J * I1 + W_2J * I2, W_1J, W_JJ, P, A);
-    add_moduli_of_I2(F, W_2, W_2J, P, A);
+    moduli_of_first_invariant(F, W_1, W_1J * I1 + W_2J * I2, W_1J, W_JJ, P, A);
+    add_moduli_of_second_invariant(F, W_2, W_2J, P, A);
   }
 };
 

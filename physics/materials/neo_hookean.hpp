@@ -30,13 +30,13 @@ struct NeoHookean {
     using std::log;
     const T J = det(F);
     const T W_J = (lame_lambda * log(J) - shear_modulus) / J;
-    return stress_of_I1_J(F, T(0.5 * shear_modulus), W_J);
+    return stress_of_first_invariant(F, T(0.5 * shear_modulus), W_J);
   }
 
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa] by the chain rule of invariants.hpp.  Needs J > 0.
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
     const double J = det(F), W_J = (lame_lambda * std::log(J) - shear_modulus) / J;
-    moduli_of_I1_J(F, 0.5 * shear_modulus, W_J, 0, (lame_lambda / J - W_J) / J, P, A);
+    moduli_of_first_invariant(F, 0.5 * shear_modulus, W_J, 0, (lame_lambda / J - W_J) / J, P, A);
   }
 };
 

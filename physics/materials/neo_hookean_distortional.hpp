@@ -28,14 +28,14 @@ struct NeoHookeanDistortional {
     const T J = det(F);
     const T W_1 = 0.5 * modulus * pow(J, -2.0 / 3.0);
     const T W_J = -2.0 / 3.0 * W_1 * norm_squared(F) / J;
-    return stress_of_I1_J(F, W_1, W_J);
+    return stress_of_first_invariant(F, W_1, W_J);
   }
 
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa] by the chain rule of invariants.hpp.  Needs J > 0.
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
     const double J = det(F), I1 = norm_squared(F), cube_root = std::cbrt(J);
     const double W_1 = 0.5 * modulus / (cube_root * cube_root), W_1J = -2. / 3. * W_1 / J;
-    moduli_of_I1_J(F, W_1, W_1J * I1, W_1J, -5. / 3. * W_1J * I1 / J, P, A);
+    moduli_of_first_invariant(F, W_1, W_1J * I1, W_1J, -5. / 3. * W_1J * I1 / J, P, A);
   }
 };
 

@@ -31,13 +31,13 @@ struct NeoHookeanPowerLaw {
   Tensor3<T> first_piola(const Tensor3<T>& F) const {
     using std::pow;
     const T W_J = -shear_modulus * pow(det(F), -2.0 * volumetric_exponent - 1.0);
-    return stress_of_I1_J(F, T(0.5 * shear_modulus), W_J);
+    return stress_of_first_invariant(F, T(0.5 * shear_modulus), W_J);
   }
 
   /// P and its derivative A[3 i + J][3 k + L] = dP_iJ/dF_kL [Pa] by the chain rule of invariants.hpp.  Needs J > 0.
   void moduli(const Tensor3<double>& F, Tensor3<double>& P, double A[9][9]) const {
     const double J = det(F), power = 2 * volumetric_exponent + 1, W_J = -shear_modulus * std::pow(J, -power);
-    moduli_of_I1_J(F, 0.5 * shear_modulus, W_J, 0, -power * W_J / J, P, A);
+    moduli_of_first_invariant(F, 0.5 * shear_modulus, W_J, 0, -power * W_J / J, P, A);
   }
 };
 

@@ -43,7 +43,7 @@ struct Ogden {
     const double J = det(F), log_J = std::log(J), exponent = -volumetric_exponent * log_J;
     const double pressure = log_J * exponential_quotient(exponent);  // in kappa / J
     isochoric.moduli(F, P, A);
-    add_moduli_of_J(F, bulk_modulus * pressure / J, bulk_modulus * (std::exp(exponent) - pressure) / (J * J), P, A);
+    add_moduli_of_volume(F, bulk_modulus * pressure / J, bulk_modulus * (std::exp(exponent) - pressure) / (J * J), P, A);
   }
 };
 

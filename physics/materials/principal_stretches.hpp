@@ -19,34 +19,39 @@ struct PrincipalStretches {
 inline PrincipalStretches principal_stretches(const Tensor3<double>& F) {
   constexpr double round_off = 1e-15;
   constexpr int largest_sweeps = 20;  // quadratic convergence: 4 or 5 are used
-  PrincipalStretches s{{}, F, identity<double>()};
+  double column[3][6];                // of F N, and below it of N
+  for (int p = 0; p < 3; ++p)
+    for (int i = 0; i < 3; ++i) {
+      column[p][i] = F(i, p);
+      column[p][3 + i] = i == p;
+    }
   bool is_orthogonal = false;
   for (int sweep = 0; sweep < largest_sweeps && !is_orthogonal; ++sweep) {
     is_orthogonal = true;
-    for (int p = 0; p < 2; ++p)
-      for (int q = p + 1; q < 3; ++q) {
-        double pp = 0, qq = 0, pq = 0;
-        for (int i = 0; i < 3; ++i) {
-          pp += s.n(i, p) * s.n(i, p);
-          qq += s.n(i, q) * s.n(i, q);
-          pq += s.n(i, p) * s.n(i, q);
-        }
-        if (pq * pq <= round_off * round_off * pp * qq) continue;
-        is_orthogonal = false;
-        const double half = 0.5 * (qq - pp);
-        const double tangent = pq / (half + std::copysign(std::sqrt(half * half + pq * pq), half));
-        const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
-        for (Tensor3<double>* columns : {&s.n, &s.N})
-          for (int i = 0; i < 3; ++i) {
-            const double x_p = (*columns)(i, p), x_q = (*columns)(i, q);
-            (*columns)(i, p) = cosine * x_p - sine * x_q;
-            (*columns)(i, q) = sine * x_p + cosine * x_q;
-          }
+    for (int pair = 0; pair < 3; ++pair) {
+      double *x = column[pair], *y = column[(pair + 1) % 3];
+      const double xx = x[0] * x[0] + x[1] * x[1] + x[2] * x[2], yy = y[0] * y[0] + y[1] * y[1] + y[2] * y[2],
+                   xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+      if (xy * xy <= round_off * round_off * xx * yy) continue;
+      is_orthogonal = false;
+      const double half = 0.5 * (yy - xx);
+      const double tangent = xy / (half + std::copysign(std::sqrt(half * half + xy * xy), half));
+      const double cosine = 1 / std::sqrt(1 + tangent * tangent), sine = cosine * tangent;
+      for (int i = 0; i < 6; ++i) {
+        const double x_i = x[i], y_i = y[i];
+        x[i] = cosine * x_i - sine * y_i;
+        y[i] = sine * x_i + cosine * y_i;
       }
+    }
   }
+  PrincipalStretches s;
   for (int a = 0; a < 3; ++a) {
-    s.stretch[a] = std::sqrt(s.n(0, a) * s.n(0, a) + s.n(1, a) * s.n(1, a) + s.n(2, a) * s.n(2, a));
-    for (int i = 0; i < 3; ++i) s.n(i, a) /= s.stretch[a];
+    const double* x = column[a];
+    s.stretch[a] = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+    for (int i = 0; i < 3; ++i) {
+      s.n(i, a) = x[i] / s.stretch[a];
+      s.N(i, a) = x[3 + i];
+    }
   }
   return s;
 }
@@ -71,7 +76,8 @@ struct PrincipalModuli {
 /// dyads n_a (x) N_b stretches act among themselves by `curvature`; a pair b, c is sheared by `shear` and twisted by
 /// (P_b + P_c) / (lambda_b + lambda_c), which has no singular limit.
 inline void moduli_along(const PrincipalStretches& s, const PrincipalModuli& m, double A[9][9]) {
-  double dyad[9][9], image[9][9];  // row 3 a + b: n_a (x) N_b, and the derivative of P in that direction
+  double image[9][9];  // row 3 a + b: the derivative of P in the direction n_a (x) N_b
+  double dyad[9][9];   // row 3 a + b: n_a (x) N_b
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b)
       for (int i = 0; i < 3; ++i)
@@ -86,11 +92,16 @@ inline void moduli_along(const PrincipalStretches& s, const PrincipalModuli& m, 
       image[cb][k] = same * dyad[cb][k] + other * dyad[bc][k];
     }
   }
-  for (int k = 0; k < 9; ++k)
-    for (int l = 0; l < 9; ++l) {
-      A[k][l] = 0;
-      for (int r = 0; r < 9; ++r) A[k][l] += dyad[r][k] * image[r][l];
-    }
+  // A = sum_ab n_a (x) N_b (x) image_ab, one index after the other: half the work of summing dyads.
+  for (int i = 0; i < 3; ++i) {
+    double turned[3][9];  // sum_a n_ia image_ab
+    for (int b = 0; b < 3; ++b)
+      for (int l = 0; l < 9; ++l)
+        turned[b][l] = s.n(i, 0) * image[b][l] + s.n(i, 1) * image[3 + b][l] + s.n(i, 2) * image[6 + b][l];
+    for (int j = 0; j < 3; ++j)
+      for (int l = 0; l < 9; ++l)
+        A[3 * i + j][l] = s.N(j, 0) * turned[0][l] + s.N(j, 1) * turned[1][l] + s.N(j, 2) * turned[2][l];
+  }
 }
 
 }  // namespace mortise

@@ -20,9 +20,11 @@ BodyTerm::BodyTerm(const Scene& scene, const Body& body, const Partition& partit
         const ElementNodeList nodes = element_nodes(mesh, e);
         ElementNodes<typename decltype(formulation)::Element> X;
         for (std::size_t a = 0; a < X.size(); ++a) X[a] = mesh.coordinates[nodes[a]];
-        std::array<int, formulation.n_pressures> pressures{};
-        for (std::size_t m = 0; m < pressures.size(); ++m) pressures[m] = scene.pressure_point(e, static_cast<int>(m));
-        block.append(e, nodes, X, pressures, dofs);
+        typename decltype(block)::Points points, local;
+        std::copy(nodes.begin(), nodes.end(), points.begin());
+        for (int m = 0; m < block.n_pressures; ++m) points[X.size() + m] = scene.pressure_point(e, m);
+        for (std::size_t k = 0; k < points.size(); ++k) local[k] = dofs.local(points[k]);
+        block.append(e, points, local, X);
       }
       if (block.size() > 0) blocks_.emplace_back(std::move(block));
     });

@@ -32,16 +32,13 @@ class ElementBlock {
 
   ElementBlock(const MaterialLaw& law, TangentKind kind) : law_(law), kind_(kind) {}
 
-  /// @param X reference positions of the nodes [m], @param pressures the points that carry the pressures
-  void append(int element, ElementNodeList nodes, const ElementNodes<Element>& X, const std::array<int, n_pressures>& pressures,
-              const DofSpace& dofs) {
+  /// Nodes, then the points that carry the pressures.
+  using Points = std::array<int, n_nodes + n_pressures>;
+
+  /// @param points of the scene, @param local where their unknowns begin in vectors, @param X reference positions of the nodes [m]
+  void append(int element, const Points& points, const Points& local, const ElementNodes<Element>& X) {
     elements_.push_back(element);
-    Points points;
-    std::copy(nodes.begin(), nodes.end(), points.begin());
-    std::copy(pressures.begin(), pressures.end(), points.begin() + n_nodes);
     points_.push_back(points);
-    Points local;
-    for (std::size_t k = 0; k < points.size(); ++k) local[k] = dofs.local(points[k]);
     local_.push_back(local);
     geometry_.push_back(Formulation::geometry(X));
   }
@@ -129,8 +126,6 @@ class ElementBlock {
 
   const MaterialLaw& law() const { return law_; }
 
-  /// Points of an element: its nodes, then its pressures.
-  using Points = std::array<int, n_nodes + n_pressures>;
   const Points& points(std::size_t e) const { return points_[e]; }
 
  private:

@@ -45,6 +45,13 @@ class ElementList {
   }
   void push_back(std::initializer_list<int> element) { push_back<std::initializer_list<int>>(element); }
 
+  /// The elements from number `begin` to before `end`.
+  ElementList part(std::size_t begin, std::size_t end) const {
+    ElementList some(type_);
+    some.nodes_.assign(nodes_.begin() + static_cast<long>(begin * n_nodes()), nodes_.begin() + static_cast<long>(end * n_nodes()));
+    return some;
+  }
+
   /// Forgets all elements from number `n` on.
   void resize(std::size_t n) { nodes_.resize(n * n_nodes()); }
 

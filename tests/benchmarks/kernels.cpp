@@ -1,56 +1,119 @@
-// Speed of the kernels: one hex8 element by every route, one facet pair by value and with its complete derivative.
+// Speed of the kernels: moduli of every material, one hex8 element by every route, one facet pair by value and with its complete
+// derivative.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
 
-#include "benchmarks/analytic_tangent.hpp"
+#include "assembly/stress_and_moduli.hpp"
+#include "deck/names.hpp"
+#include "support/elements.hpp"
+#include "support/materials.hpp"
 #include "support/random_pairs.hpp"
 
 namespace mortise::test {
 namespace {
 
-struct Element {
-  NeoHookean material = NeoHookean::from({2250, 0.3});
-  Hex8Geometry geometry;
-  double q[8][3], f[8][3] = {}, K[576] = {};
+using Brick = OneElement<Standard<Hex8>>;
 
-  Element() {
+/// A distorted brick in a deformed state.
+struct Sample {
+  Material material;
+  Brick element;
+  std::vector<double> x, r = std::vector<double>(24), K = std::vector<double>(576);
+
+  explicit Sample(const Material& of)
+      : material(of), element(make(MaterialLaw::whole(material, ModuliKind::automatic))), x(state(element)) {}
+
+ private:
+  static Brick make(const MaterialLaw& law) {
     Random random(1);
-    std::array<std::array<double, 3>, 8> X;
-    for (int k = 0; k < 24; ++k) {
-      X[k / 3][k % 3] = 0.5 * Hex8::corner[k / 3][k % 3] + random.in(-0.05, 0.05);
-      q[k / 3][k % 3] = 1.1 * X[k / 3][k % 3] + random.in(-0.05, 0.05);
-    }
-    geometry = hex8_geometry(X);
+    return {law, distorted<Hex8>(random, 0.1)};
+  }
+  static std::vector<double> state(const Brick& element) {
+    Random random(2);
+    return element.deformed(random, 0);
   }
 };
 
-void element_residual(benchmark::State& state) {
-  Element e;
+void element_residual(benchmark::State& state, const Material& material) {
+  Sample one(material);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(add_internal_force(e.material, e.geometry, e.q, e.f));
+    benchmark::DoNotOptimize(one.element.block.add_force(one.x.data(), one.r.data()));
     benchmark::ClobberMemory();
   }
 }
 
-template <auto tangent>
-void element_tangent(benchmark::State& state) {
-  Element e;
+void element_tangent(benchmark::State& state, const Material& material, TangentKind kind) {
+  Sample one(material);
+  const auto law =
+      MaterialLaw::whole(one.material, kind == TangentKind::analytic ? ModuliKind::analytic : ModuliKind::automatic);
   for (auto _ : state) {
-    std::fill_n(e.K, 576, 0.0);
-    benchmark::DoNotOptimize(tangent(e.material, e.geometry, e.q, e.f, e.K));
+    benchmark::DoNotOptimize(one.element.block.tangent(kind, law, 0, one.x.data(), one.r.data(), one.K.data()));
     benchmark::ClobberMemory();
   }
 }
 
-BENCHMARK(element_residual)->Unit(benchmark::kMicrosecond);
-BENCHMARK(element_tangent<analytic_tangent<NeoHookean>>)->Name("element_tangent/by_hand")->Unit(benchmark::kMicrosecond);
-BENCHMARK(element_tangent<quadrature_point_tangent<NeoHookean>>)
-    ->Name("element_tangent/quadrature_points")
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK(element_tangent<whole_element_tangent<NeoHookean>>)
-    ->Name("element_tangent/whole_element")
-    ->Unit(benchmark::kMicrosecond);
+/// One hex8 by every route, for a cheap, a usual and a dear material.
+bool register_elements() {
+  const std::pair<const char*, Material> materials[]{{"neo-hookean", sample<NeoHookean>()},
+                                                     {"mooney-rivlin", sample<MooneyRivlin>()},
+                                                     {"ogden", sample<Ogden>()}};
+  for (const auto& [name, material] : materials) {
+    benchmark::RegisterBenchmark((std::string("element_residual/") + name).c_str(), element_residual, material)
+        ->Unit(benchmark::kMicrosecond);
+    for (const auto& [kind_name, kind] : tangent_names)
+      benchmark::RegisterBenchmark((std::string("element_tangent/") + name + "/" + kind_name).c_str(), element_tangent, material,
+                                   kind)
+          ->Unit(benchmark::kMicrosecond);
+  }
+  return true;
+}
+[[maybe_unused]] const bool elements_are_registered = register_elements();
+
+/// Seconds that `evaluate(F)` takes for all deformations together.
+template <class Evaluate>
+double seconds_of(const std::vector<Tensor3<double>>& deformations, const Evaluate& evaluate) {
+  const auto start = std::chrono::steady_clock::now();
+  for (const auto& F : deformations) evaluate(F);
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// Stress and moduli at one point: the time is that by hand; `by_ad` [s] and `ratio` compare automatic differentiation.
+template <class M>
+void moduli_at_a_point(benchmark::State& state) {
+  const M material = sample<M>();
+  const auto deformations = some_deformations();
+  const auto n = static_cast<double>(deformations.size());
+  Tensor3<double> P;
+  double A[9][9], by_hand = 0, by_ad = 0;
+  for (auto _ : state) {
+    const double seconds = seconds_of(deformations, [&](const Tensor3<double>& F) {
+      material.moduli(F, P, A);
+      benchmark::ClobberMemory();
+    });
+    by_hand += seconds;
+    by_ad += seconds_of(deformations, [&](const Tensor3<double>& F) {
+      stress_and_moduli(material, F, P, A);
+      benchmark::ClobberMemory();
+    });
+    state.SetIterationTime(seconds / n);
+  }
+  benchmark::DoNotOptimize(A);
+  state.counters["by_ad"] = by_ad / n / static_cast<double>(state.iterations());
+  state.counters["ratio"] = by_ad / by_hand;
+}
+
+template <class... M>
+bool register_materials(const std::variant<M...>*) {
+  (benchmark::RegisterBenchmark((std::string("moduli/") + M::name).c_str(), moduli_at_a_point<M>)
+       ->UseManualTime()
+       ->Iterations(20000)
+       ->Unit(benchmark::kNanosecond),
+   ...);
+  return true;
+}
+[[maybe_unused]] const bool are_registered = register_materials(static_cast<const Material*>(nullptr));
 
 const std::vector<PairInput>& pairs() {
   static const auto all = [] {

@@ -1,45 +1,15 @@
-// Every material: stress and moduli against the energy, against Hooke and against independent values.
+// Every material: stress and moduli against the energy, against Hooke and against each other.
 #include <gtest/gtest.h>
 
-#include "assembly/element_tangent.hpp"
-#include "benchmarks/analytic_tangent.hpp"
-#include "physics/materials/materials.hpp"
+#include "assembly/stress_and_moduli.hpp"
 #include "support/gradient_check.hpp"
-#include "support/references.hpp"
+#include "support/materials.hpp"
 
 namespace mortise::test {
 namespace {
 
-const Moduli moduli{2250, 0.3};  // those of the references
-
-Tensor3<double> tensor(const std::vector<double>& entries) {
-  Tensor3<double> F;
-  for (int k = 0; k < 9; ++k) F(k / 3, k % 3) = entries[k];
-  return F;
-}
-
-std::vector<double> entries(const Tensor3<double>& F) { return {&F.a[0][0], &F.a[0][0] + 9}; }
-
-double largest(const std::vector<double>& x) {
-  double size = 0;
-  for (double entry : x) size = std::max(size, std::abs(entry));
-  return size;
-}
-
-/// Deformation gradients with 0.3 < J < 3: a random stretch, turned.
-std::vector<Tensor3<double>> some_deformations() {
-  Random random(2);
-  std::vector<Tensor3<double>> all;
-  while (all.size() < 20) {
-    Tensor3<double> F = identity<double>();
-    for (int k = 0; k < 9; ++k) F(k / 3, k % 3) += random.in(-0.4, 0.4);
-    if (det(F) > 0.3 && det(F) < 3) all.push_back(random.rotation() * F);
-  }
-  return all;
-}
-
 template <class M>
-std::vector<double> moduli_of(const M& material, const Tensor3<double>& F) {
+std::vector<double> moduli_by_ad(const M& material, const Tensor3<double>& F) {
   Tensor3<double> P;
   double A[9][9];
   stress_and_moduli(material, F, P, A);
@@ -49,25 +19,34 @@ std::vector<double> moduli_of(const M& material, const Tensor3<double>& F) {
 template <class M>
 class EveryMaterial : public ::testing::Test {
  protected:
-  const M material = M::from(moduli);
+  const M material = sample<M>();
+  /// The greatest of the moduli at rest [Pa].
+  const double stiffness = largest(moduli_by_hand(material, identity<double>()));
+  /// Linear elasticity is the one that notices rotations.
+  static constexpr bool is_invariant = !std::is_same_v<M, LinearElastic>;
 };
 
-using Materials = ::testing::Types<NeoHookean, NeoHookeanIsochoric, SaintVenantKirchhoff>;
 TYPED_TEST_SUITE(EveryMaterial, Materials);
 
 TYPED_TEST(EveryMaterial, IsFreeOfStressAndEnergyAtRest) {
   Random random(3);
-  for (const auto& Q : {identity<double>(), random.rotation(), random.rotation()}) {
-    EXPECT_NEAR(this->material.strain_energy(Q), 0, 1e-14 * moduli.youngs_modulus());
-    EXPECT_LE(largest(entries(this->material.first_piola(Q))), 1e-14 * moduli.youngs_modulus());
+  std::vector<Tensor3<double>> at_rest{identity<double>()};
+  if (this->is_invariant) at_rest.insert(at_rest.end(), {random.rotation(), random.rotation()});
+  for (const auto& Q : at_rest) {
+    EXPECT_NEAR(this->material.strain_energy(Q), 0, 1e-14 * this->stiffness);
+    EXPECT_LE(largest(entries(this->material.first_piola(Q))), 1e-14 * this->stiffness);
   }
 }
 
 TYPED_TEST(EveryMaterial, HasAnEnergyUnchangedByRotationOfSpace) {
   Random random(4);
   for (const auto& F : some_deformations()) {
-    const double W = this->material.strain_energy(F);
-    EXPECT_NEAR(this->material.strain_energy(random.rotation() * F), W, 1e-13 * (W + moduli.youngs_modulus()));
+    const double W = this->material.strain_energy(F), turned = this->material.strain_energy(random.rotation() * F);
+    if (this->is_invariant) {
+      EXPECT_NEAR(turned, W, 1e-13 * (W + this->stiffness));
+    } else {
+      EXPECT_GT(std::abs(turned - W), 1e-3 * this->stiffness);
+    }
   }
 }
 
@@ -75,7 +54,9 @@ TYPED_TEST(EveryMaterial, IsIsotropic) {
   Random random(5);
   for (const auto& F : some_deformations()) {
     const double W = this->material.strain_energy(F);
-    EXPECT_NEAR(this->material.strain_energy(F * random.rotation()), W, 1e-13 * (W + moduli.youngs_modulus()));
+    const auto Q = random.rotation();
+    const auto turned = this->is_invariant ? F * Q : transpose_times(Q, F * Q);
+    EXPECT_NEAR(this->material.strain_energy(turned), W, 1e-13 * (W + this->stiffness));
   }
 }
 
@@ -84,13 +65,20 @@ TYPED_TEST(EveryMaterial, HasAStressThatTurnsWithSpace) {
   for (const auto& F : some_deformations()) {
     const auto Q = random.rotation();
     const auto turned = entries(Q * this->material.first_piola(F)), stress = entries(this->material.first_piola(Q * F));
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress[k], turned[k], 1e-13 * (largest(turned) + moduli.youngs_modulus()));
+    double difference = 0;
+    for (int k = 0; k < 9; ++k) difference = std::max(difference, std::abs(stress[k] - turned[k]));
+    if (this->is_invariant) {
+      EXPECT_LE(difference, 1e-13 * (largest(turned) + this->stiffness));
+    } else {
+      EXPECT_GT(difference, 1e-3 * this->stiffness);
+    }
   }
 }
 
 TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
+  // beside a constant that is as large as the terms whose difference W is, so that their round-off is expected
   const auto energy = [this](const std::vector<double>& F) {
-    return std::vector<double>{this->material.strain_energy(tensor(F))};
+    return std::vector<double>{this->stiffness + this->material.strain_energy(tensor(F))};
   };
   for (const auto& F : some_deformations())
     EXPECT_TRUE(is_derivative(entries(this->material.first_piola(F)), energy, entries(F)));
@@ -98,27 +86,63 @@ TYPED_TEST(EveryMaterial, HasAStressThatIsTheDerivativeOfItsEnergy) {
 
 TYPED_TEST(EveryMaterial, HasModuliThatAreTheDerivativeOfItsStress) {
   const auto stress = [this](const std::vector<double>& F) { return entries(this->material.first_piola(tensor(F))); };
-  for (const auto& F : some_deformations()) EXPECT_TRUE(is_derivative(moduli_of(this->material, F), stress, entries(F)));
+  for (const auto& F : some_deformations()) EXPECT_TRUE(is_derivative(moduli_by_hand(this->material, F), stress, entries(F)));
+}
+
+TYPED_TEST(EveryMaterial, HasTheSameModuliByHandAndByAutomaticDifferentiation) {
+  for (const auto& all : {some_deformations(), nearly_equal_stretches()})
+    for (const auto& F : all) {
+      const auto by_hand = moduli_by_hand(this->material, F), by_ad = moduli_by_ad(this->material, F);
+      for (int k = 0; k < 81; ++k) EXPECT_NEAR(by_hand[k], by_ad[k], 1e-12 * largest(by_ad));
+    }
+}
+
+TYPED_TEST(EveryMaterial, HasTheSameStressWithTheModuliAndAlone) {
+  for (const auto& F : some_deformations()) {
+    Tensor3<double> P;
+    double A[9][9];
+    this->material.moduli(F, P, A);
+    const auto alone = entries(this->material.first_piola(F));
+    for (int k = 0; k < 9; ++k) EXPECT_NEAR(entries(P)[k], alone[k], 1e-13 * (largest(alone) + this->stiffness));
+  }
+}
+
+TYPED_TEST(EveryMaterial, HasADerivativeByComplexStep) {
+  using Complex = std::complex<double>;
+  constexpr double step = 1e-100;
+  for (const auto& F : some_deformations()) {
+    const auto A = moduli_by_hand(this->material, F), P = entries(this->material.first_piola(F));
+    for (int l = 0; l < 9; ++l) {
+      Tensor3<Complex> stepped;
+      for (int k = 0; k < 9; ++k) stepped(k / 3, k % 3) = Complex(F(k / 3, k % 3), k == l ? step : 0);
+      EXPECT_NEAR(this->material.strain_energy(stepped).imag() / step, P[l], 1e-12 * (largest(P) + this->stiffness));
+      const auto stress = this->material.first_piola(stepped);
+      for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress(k / 3, k % 3).imag() / step, A[9 * k + l], 1e-12 * largest(A));
+    }
+  }
 }
 
 TYPED_TEST(EveryMaterial, HasSymmetricModuli) {
   for (const auto& F : some_deformations()) {
-    const auto A = moduli_of(this->material, F);
+    const auto A = moduli_by_hand(this->material, F);
     for (int k = 0; k < 9; ++k)
       for (int l = 0; l < k; ++l) EXPECT_NEAR(A[9 * k + l], A[9 * l + k], 1e-14 * largest(A));
   }
 }
 
 TYPED_TEST(EveryMaterial, IsHookeAtSmallStrain) {
-  const auto A = moduli_of(this->material, identity<double>());
-  const double mu = moduli.shear_modulus(), lambda = moduli.lame_lambda();
+  const auto A = moduli_by_hand(this->material, identity<double>());
+  const Moduli rest = this->material.small_strain();
+  // without a volumetric energy the bulk modulus is 0: the stress of the energy of shape is a deviator
+  const double mu = rest.shear_modulus(), lambda = is_incompressible<TypeParam>() ? -2 * mu / 3 : rest.lame_lambda();
+  EXPECT_GT(mu, 300);
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l)
           EXPECT_NEAR(A[9 * (3 * i + j) + 3 * k + l],
                       lambda * (i == j) * (k == l) + mu * ((i == k) * (j == l) + (i == l) * (j == k)),
-                      1e-14 * 2 * mu + 1e-14 * lambda);
+                      1e-14 * 2 * mu + 1e-14 * std::abs(lambda));
 }
 
 TYPED_TEST(EveryMaterial, StoresEverMoreEnergyInEverLargerStretch) {
@@ -130,11 +154,39 @@ TYPED_TEST(EveryMaterial, StoresEverMoreEnergyInEverLargerStretch) {
   }
 }
 
-TEST(NeoHookeanSolid, CannotBeCompressedToNothing) {
-  const auto material = NeoHookean::from(moduli);
+template <class M>
+class SplitMaterial : public EveryMaterial<M> {};
+using SplitMaterials = ::testing::Types<NeoHookeanIsochoric, MooneyRivlinIsochoric, NeoHookeanIncompressible,
+                                        MooneyRivlinIncompressible, OgdenIncompressible>;
+TYPED_TEST_SUITE(SplitMaterial, SplitMaterials);
+static_assert(!is_split<NeoHookean> && !is_split<MooneyRivlin> && !is_split<Ogden>);
+
+TYPED_TEST(SplitMaterial, IsTheSumOfAnEnergyOfShapeAndOneOfVolume) {
+  static_assert(is_split<TypeParam>);
+  const double compliance = this->material.volumetric_compliance();
+  EXPECT_EQ(compliance == 0, is_incompressible<TypeParam>());
+  for (const auto& F : some_deformations()) {
+    auto swollen = F;
+    for (int k = 0; k < 9; ++k) swollen(k / 3, k % 3) *= 1.3;
+    const double shape = this->material.distortional().strain_energy(F), swelling = det(F) - 1;
+    EXPECT_NEAR(this->material.distortional().strain_energy(swollen), shape, 1e-13 * (shape + this->stiffness));
+    const double volume = compliance == 0 ? 0 : 0.5 * swelling * swelling / compliance;
+    EXPECT_NEAR(this->material.strain_energy(F), shape + volume, 1e-13 * (shape + this->stiffness));
+  }
+}
+
+template <class M>
+class GrowingMaterial : public ::testing::Test {
+ protected:
+  const M material = sample<M>();
+};
+using GrowingMaterials = ::testing::Types<NeoHookean, NeoHookeanPowerLaw, MooneyRivlin, Ogden>;
+TYPED_TEST_SUITE(GrowingMaterial, GrowingMaterials);
+
+TYPED_TEST(GrowingMaterial, CannotBeCompressedToNothing) {
   double last = 0;
-  for (double size = 0.1; size > 1e-90; size *= 0.1) {  // each decade costs more than the one before
-    const double W = material.strain_energy(Tensor3<double>{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}});
+  for (double size = 0.1; size > 1e-10; size *= 0.1) {  // each decade costs more than the one before
+    const double W = this->material.strain_energy(Tensor3<double>{{{size, 0, 0}, {0, size, 0}, {0, 0, size}}});
     EXPECT_GT(W, last + moduli.shear_modulus());
     last = W;
   }
@@ -152,36 +204,48 @@ TEST(NeoHookeanSolid, CannotBeFlattened) {
   }
 }
 
-/// Energy, stress and moduli at the 16 deformation gradients of the references, from 80-digit differences of the energy alone.
-template <class M>
-void expect_reference_values(const M& material, const std::string& name) {
-  if (!have_reference("materials.json")) GTEST_SKIP() << no_reference("materials.json");
-  const auto values = reference("materials.json");
-  ASSERT_DOUBLE_EQ(values["parameters"]["E"].get<double>(), moduli.youngs_modulus());
-  ASSERT_DOUBLE_EQ(values["parameters"]["nu"].get<double>(), moduli.poissons_ratio());
-  int n_compared = 0;
-  for (const auto& [label, rows] : values["F"].items()) {
-    const auto& expected = values["results"][name + "|" + label];
-    std::vector<double> F, A;
-    for (const auto& row : rows)
-      for (const auto& entry : row) F.push_back(entry);
-    for (const auto& row : expected["A"])
-      for (const auto& entry : row) A.push_back(entry);
-    const std::vector<double> P = expected["P"];
-    ASSERT_EQ(A.size(), 81U);
-    const double tolerance = 1e-12 * largest(A) * largest(F);
-    EXPECT_NEAR(material.strain_energy(tensor(F)), double(expected["W"]), tolerance) << label;
-    const auto stress = entries(material.first_piola(tensor(F))), tangent = moduli_of(material, tensor(F));
-    for (int k = 0; k < 9; ++k) EXPECT_NEAR(stress[k], P[k], tolerance) << label;
-    for (int k = 0; k < 81; ++k) EXPECT_NEAR(tangent[k], A[k], 1e-12 * largest(A)) << label;
-    ++n_compared;
-  }
-  EXPECT_EQ(n_compared, 16);
+/// c (I1 - 3) + c/beta (J^(-2 beta) - 1), written as it is printed.
+double power_law(double nu, const Tensor3<double>& F) {
+  const double c = 2250 / (4 * (1 + nu)), beta = nu / (1 - 2 * nu), J = det(F);
+  return c * (norm_squared(F) - 3) + (nu == 0 ? -2 * c * std::log(J) : c / beta * (std::pow(J, -2 * beta) - 1));
 }
 
-TEST(SaintVenantKirchhoffSolid, HasTheReferenceValues) { expect_reference_values(SaintVenantKirchhoff::from(moduli), "svk"); }
+TEST(NeoHookeanPowerLawSolid, IsThePowerLawAndItsLimit) {
+  for (const auto& F : some_deformations()) {
+    for (double nu : {-0.4, 0.0, 0.1, 0.3, 0.49})
+      EXPECT_NEAR(NeoHookeanPowerLaw::from({2250, nu}).strain_energy(F), power_law(nu, F), 1e-12 * (power_law(nu, F) + 2250));
+    EXPECT_NEAR(NeoHookeanPowerLaw::from({2250, 1e-13}).strain_energy(F), power_law(0, F), 1e-12 * 2250);
+  }
+}
 
-TEST(NeoHookeanSolid, HasTheReferenceValues) { expect_reference_values(NeoHookean::from(moduli), "neo_hooke"); }
+TEST(PowerLawAndThesisNeoHookean, AgreeWithoutLateralContraction) {
+  const Moduli cork{2250, 0};
+  for (const auto& F : some_deformations()) {
+    const auto one = entries(NeoHookeanPowerLaw::from(cork).first_piola(F)),
+               other = entries(NeoHookean::from(cork).first_piola(F));
+    for (int k = 0; k < 9; ++k) EXPECT_NEAR(one[k], other[k], 1e-13 * (largest(other) + 2250));
+  }
+}
+
+TEST(ElasticModuli, AreTheSameFromEveryUsualPair) {
+  const double mu = moduli.shear_modulus(), lambda = moduli.lame_lambda(), kappa = moduli.bulk_modulus();
+  EXPECT_NEAR(kappa, 2250 / (3 * 0.4), 1e-12 * kappa);
+  for (const auto& same : {moduli, Moduli::from_shear_and_lambda(mu, lambda), Moduli::from_bulk_and_shear(kappa, mu)}) {
+    EXPECT_NEAR(same.youngs_modulus(), 2250, 1e-12 * 2250);
+    EXPECT_NEAR(same.poissons_ratio(), 0.3, 1e-12);
+    EXPECT_NEAR(same.lame_lambda(), lambda, 1e-12 * lambda);
+    EXPECT_NEAR(same.shear_modulus(), mu, 1e-12 * mu);
+  }
+}
+
+TEST(ElasticModuli, KeepTheirDigitsUpToTheIncompressibleSolid) {
+  const Moduli nearly = Moduli::from_bulk_and_shear(1e9, 3);
+  EXPECT_DOUBLE_EQ(nearly.bulk_modulus(), 1e9);
+  EXPECT_DOUBLE_EQ(nearly.shear_modulus(), 3);
+  const Moduli rubber = Moduli::incompressible(3);
+  EXPECT_EQ(rubber.poissons_ratio(), 0.5);
+  EXPECT_EQ(rubber.youngs_modulus(), 9);
+}
 
 }  // namespace
 }  // namespace mortise::test

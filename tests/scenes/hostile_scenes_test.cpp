@@ -167,7 +167,8 @@ Mesh stack_in_one_block() {
   Mesh mesh = block({60, 60, 60}, {2, 2, 1});
   const Mesh cube = mesh;
   for (auto X : cube.coordinates) mesh.coordinates.push_back({X[0], X[1], X[2] + 60});
-  for (auto nodes : cube.blocks.front().elements) {
+  for (const auto& own : cube.blocks.front().elements) {
+    std::vector<int> nodes(own.begin(), own.end());
     for (int& node : nodes) node += n_nodes(cube);
     mesh.blocks.front().elements.push_back(nodes);
   }
@@ -215,8 +216,8 @@ class SceneOfTwoBlocks : public HostileScene {
   void SetUp() override {
     Mesh mesh = block({60, 60, 60}, {4, 4, 2});
     const auto all = mesh.blocks.front().elements;
-    const auto middle = all.begin() + static_cast<long>(all.size() / 2);
-    mesh.blocks = {{10, "low", {all.begin(), middle}}, {20, "up", {middle, all.end()}}};
+    const auto middle = all.size() / 2;
+    mesh.blocks = {{10, "low", all.part(0, middle)}, {20, "up", all.part(middle, all.size())}};
     write_exodus(mesh, folder / "lower.e", "two blocks");
   }
   static std::string deck(const std::string& blocks_of_lower, const std::string& further = "") {

@@ -82,9 +82,9 @@ TEST_F(MeshFile, WithASeamIsUsedWithAWarning) {
   mesh.coordinates.push_back(mesh.coordinates[0]);
   mesh.node_numbers.push_back(999);
   mesh.blocks[0].elements[0][0] = n_nodes(mesh) - 1;  // a corner of its own for the first element
-  mesh.blocks[0].elements.push_back(mesh.blocks[0].elements[0]);
+  mesh.blocks[0].elements.push_back(std::vector<int>(mesh.blocks[0].elements[0].begin(), mesh.blocks[0].elements[0].end()));
   mesh.element_numbers.push_back(999);
-  mesh.blocks[0].elements.back()[0] = 0;
+  mesh.blocks[0].elements[mesh.blocks[0].elements.size() - 1][0] = 0;
   write_mesh();
   const auto finished = run_mortise(folder, "check lower.e");
   EXPECT_EQ(finished.code, 0) << finished.err;

@@ -54,8 +54,8 @@ std::string deck_on_base(const std::string& meshes, const std::string& bodies, c
 Mesh column_of_two_blocks() {
   Mesh mesh = block({1, 1, 2}, {2, 2, 4});
   const auto all = mesh.blocks.front().elements;
-  const auto middle = all.begin() + all.size() / 2;
-  mesh.blocks = {{10, "low", {all.begin(), middle}}, {20, "up", {middle, all.end()}}};
+  const auto middle = all.size() / 2;
+  mesh.blocks = {{10, "low", all.part(0, middle)}, {20, "up", all.part(middle, all.size())}};
   return mesh;
 }
 
@@ -65,7 +65,8 @@ Mesh terrace() {
   const Mesh right = block({1, 1, 0.75}, {4, 4, 2});
   const int first_node = n_nodes(mesh), first_element = n_elements(mesh);
   for (auto x : right.coordinates) mesh.coordinates.push_back({x[0] + 1, x[1], x[2]});
-  for (auto nodes : right.blocks.front().elements) {
+  for (const auto& own : right.blocks.front().elements) {
+    std::vector<int> nodes(own.begin(), own.end());
     for (int& node : nodes) node += first_node;
     mesh.blocks.front().elements.push_back(nodes);
   }

@@ -51,7 +51,7 @@ struct TestScene {
   }
 
   std::size_t n_positions() const { return 3 * scene.mesh.mesh.coordinates.size(); }
-  std::size_t n_unknowns() const { return n_positions() + scene.n_multipliers; }
+  std::size_t n_unknowns() const { return static_cast<std::size_t>(problem.dofs().n_unknowns()); }
   std::vector<double> gather(const Vector& v) const { return problem.gather(v); }
 
   RCP<Vector> scatter(const std::vector<double>& all) const { return problem.scatter(all); }

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "assembly/vectors.hpp"
 #include "output/history.hpp"
 #include "physics/internal_force.hpp"
 #include "support/test_scene.hpp"
@@ -65,23 +66,14 @@ class PatchTest : public testing::TestWithParam<Case> {
 
   double gauss_stress_error(const TestScene& s, const std::vector<double>& x) const {
     double error = 0;
-    for (const auto& body : s.scene.bodies)
-      for (int e : body.elements) {
-        const auto& nodes = element_nodes(s.scene.mesh.mesh, e);
-        std::array<Point, 8> X;
-        double q[8][3];
-        for (int a = 0; a < 8; ++a)
-          for (int i = 0; i < 3; ++i) {
-            X[a][i] = s.scene.mesh.mesh.coordinates[nodes[a]][i];
-            q[a][i] = x[3 * static_cast<std::size_t>(nodes[a]) + i];
-          }
-        const auto geometry = hex8_geometry(X);
-        for (int g = 0; g < Hex8::n_points; ++g) {
-          const auto sigma = std::visit([&](const auto& m) { return cauchy_stress(m, geometry, g, q); }, body.material);
-          for (int i = 0; i < 3; ++i)
-            for (int j = 0; j < 3; ++j) error = std::max(error, std::abs(sigma(i, j) - stress_at(i, j)));
-        }
-      }
+    const auto overlap = s.problem.to_overlap(*s.scatter(x));
+    for (const auto& body : s.problem.bodies())
+      body->sample(overlap->getData().getRawPtr(), [&](const PointSample& at) {
+        const auto sigma = cauchy_stress(at.state.P, at.state.F);
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j) error = std::max(error, std::abs(sigma(i, j) - stress_at(i, j)));
+      });
+    error = all_reduced(*s.problem.dofs().comm(), Teuchos::REDUCE_MAX, error);
     return error / std::abs(GetParam().exact.stress);
   }
 

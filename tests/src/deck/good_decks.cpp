@@ -20,7 +20,7 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
   ASSERT_EQ(o.materials.size(), 2u);
   EXPECT_EQ(o.materials[1].first, "stiff");
   EXPECT_EQ(std::get<models::NeoHookean>(*o.materials[1].second.model).youngs_modulus, 1000);
-  EXPECT_EQ(o.materials[1].second.poissons_ratio, 0.3);
+  EXPECT_EQ(std::get<models::NeoHookean>(*o.materials[1].second.model).poissons_ratio, 0.3);
   ASSERT_EQ(o.bodies.size(), 2u);
   EXPECT_EQ(o.bodies[1].second.mesh, "indenter");
   EXPECT_EQ(o.bodies[1].second.material, "stiff");

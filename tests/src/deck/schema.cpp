@@ -114,6 +114,23 @@ TEST(Schema, AcceptsWhatTheReaderAcceptsInWhateverOrderAndSpelling) {
   EXPECT_TRUE(is_valid(no_fields) && !reader_refuses(no_fields));
 }
 
+TEST(Schema, KnowsTheParametersOfEveryMaterial) {
+  const auto with_model = [](const std::string& name, const std::string& parameters) {
+    return with(block_deck, elastic_parameters, parameter("model", "string", name) + parameters);
+  };
+  const std::string series =
+      parameter("exponents", "Array(double)", "{1.3, 5, -2}") + parameter("moduli", "Array(double)", "{6300, 12, -100}");
+  const std::string c1_c2 = parameter("c1", "double", "2") + parameter("c2", "int", "1");
+  for (const auto& deck :
+       {with_model("mooney-rivlin", c1_c2 + parameter("c", "double", "5")), with_model("ogden incompressible", series),
+        with_model("neo-hookean power-law", parameter("shear modulus", "double", "2") + parameter("lame lambda", "double", "0") +
+                                                parameter("density", "double", "1e-9"))})
+    EXPECT_TRUE(is_valid(deck) && !reader_refuses(deck)) << deck;
+  expect_refused({{"misspelt model", with_model("ogdon incompressible", series)},
+                  {"one number for a series", with_model("ogden incompressible", with(series, "\"{1.3, 5, -2}\"", "\"1.3\""))},
+                  {"misspelt c1", with_model("mooney-rivlin incompressible", with(c1_c2, "\"c1\"", "\"C1\""))}});
+}
+
 TEST(Schema, RefusesEveryMisspeltName) {
   const auto misspell = [](pugi::xml_node element) {
     element.attribute("name") = (std::string(element.attribute("name").value()) + "q").c_str();

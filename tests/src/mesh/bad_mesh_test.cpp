@@ -60,7 +60,7 @@ const Fault faults[] = {
      {"M17", "7 nodes without element", "101, 102, 103, 104, 105"}},
     {"InvertedElement",
      [](Mesh& m) {
-       auto& e = m.blocks[0].elements[1];
+       const auto e = m.blocks[0].elements[1];
        std::swap(e[0], e[4]), std::swap(e[1], e[5]), std::swap(e[2], e[6]), std::swap(e[3], e[7]);
        m.element_numbers[1] = 4711;
      },

@@ -7,7 +7,7 @@ namespace {
 
 TEST(Hex8Sides, FollowTheExodusTable) {
   const Mesh mesh = block({1, 1, 1}, {1, 1, 1});
-  const std::array<int, 8>& n = element_nodes(mesh, 0);
+  const ElementNodeList n = element_nodes(mesh, 0);
   const std::array<std::array<int, 4>, 6> table{
       {{1, 2, 6, 5}, {2, 3, 7, 6}, {3, 4, 8, 7}, {1, 5, 8, 4}, {1, 4, 3, 2}, {5, 6, 7, 8}}};
   for (int face = 0; face < 6; ++face)

@@ -21,10 +21,11 @@ std::vector<SurfaceFault> faults_of(const CombinedMesh& mesh, const std::string&
 Mesh only(Mesh mesh, const std::vector<int>& elements) {
   Mesh kept;
   kept.source = mesh.source;
-  kept.blocks = {{1, "block", {}}};
+  kept.blocks = {{1, "block", ElementList()}};
   std::vector<int> index(mesh.coordinates.size(), -1);
   for (int e : elements) {
-    auto nodes = element_nodes(mesh, e);
+    const ElementNodeList of_all = element_nodes(mesh, e);
+    std::vector<int> nodes(of_all.begin(), of_all.end());
     for (int& a : nodes) {
       int& to = index[static_cast<std::size_t>(a)];
       if (to < 0) {

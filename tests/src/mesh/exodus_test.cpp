@@ -15,9 +15,9 @@ namespace {
 /// A brick in two blocks with names, gaps in the numbers, and sets without a name.
 Mesh sample() {
   Mesh mesh = graded_block({2, 1, 1}, {4, 2, 2}, {3, 1, 1});
-  Block second{20, "shaft", {}};
+  Block second{20, "shaft", ElementList()};
   auto& elements = mesh.blocks[0].elements;
-  second.elements.assign(elements.begin() + 10, elements.end());
+  second.elements = elements.part(10, elements.size());
   elements.resize(10);
   mesh.blocks[0].name = "";
   mesh.blocks[0].id = 7;

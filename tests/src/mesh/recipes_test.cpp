@@ -183,7 +183,7 @@ void expect_order_2(const std::array<double, 3>& values, double exact, const std
   EXPECT_NEAR(std::log2(error[1] / error[2]), 2, 0.1) << what << ": " << error[0] << ", " << error[1] << ", " << error[2];
 }
 
-using Facet = std::array<int, 4>;
+using Facet = std::vector<int>;
 
 Facet sorted_nodes(const Mesh& mesh, Side side) {
   Facet nodes = side_nodes(mesh, side);

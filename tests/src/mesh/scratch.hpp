@@ -35,7 +35,7 @@ inline void expect_words(const std::string& text, const std::vector<std::string>
 
 /// Half the cross product of the diagonals: area times the right-hand normal of a flat side.
 inline Point area_vector(const Mesh& mesh, Side side) {
-  const std::array<int, 4> nodes = side_nodes(mesh, side);
+  const std::vector<int> nodes = side_nodes(mesh, side);
   const auto x = [&](std::size_t i) { return mesh.coordinates[static_cast<std::size_t>(nodes[i])]; };
   Point d{}, e{};
   for (std::size_t i = 0; i < 3; ++i) {

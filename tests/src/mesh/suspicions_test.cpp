@@ -16,7 +16,8 @@ void add(Mesh& mesh, Mesh other, const Point& origin) {
     mesh.coordinates.push_back(x);
     mesh.node_numbers.push_back(static_cast<std::int64_t>(mesh.coordinates.size()));
   }
-  for (auto element : other.blocks[0].elements) {
+  for (const auto& own : other.blocks[0].elements) {
+    std::vector<int> element(own.begin(), own.end());
     for (int& a : element) a += n;
     mesh.blocks[0].elements.push_back(element);
     mesh.element_numbers.push_back(n_elements_before + static_cast<std::int64_t>(mesh.element_numbers.size()));
