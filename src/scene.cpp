@@ -147,6 +147,7 @@ class SceneMaker {
       std::sort(body.nodes.begin(), body.nodes.end());
       body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
       check_elements(name, body);
+      check_mass(name, body);
       body.size = std::cbrt(volume / std::max<std::size_t>(1, body.elements.size()));
       scene_.bodies.push_back(std::move(body));
     }
@@ -185,6 +186,21 @@ class SceneMaker {
       if (with_formulation(body.formulation, type, [](auto) {})) continue;
       error("D19", {"bodies", name, "formulation"},
             fmt::format("does not exist for {} elements ({})", topology(type).name, describe_element(scene_.mesh, e)));
+      return;
+    }
+  }
+
+  /// A mass matrix by fewer points than the element has nodes is singular.
+  void check_mass(const std::string& name, const Body& body) {
+    if (body.rayleigh.mass_kind != MassKind::stiffness_rule) return;
+    for (int e : body.elements) {
+      const ElementType type = element_type(scene_.mesh.mesh, e);
+      const bool is_regular = with_element(
+          type, [](auto element) { return element.stiffness_rule.size() >= static_cast<std::size_t>(element.n_nodes); });
+      if (is_regular) continue;
+      error("D19", {"bodies", name, "mass"},
+            fmt::format("gives a singular mass for {} elements, whose stiffness takes fewer points than they have nodes ({})",
+                        topology(type).name, describe_element(scene_.mesh, e)));
       return;
     }
   }

@@ -101,7 +101,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
 
 // Formulas are evaluated on every rank, so that most faults are the same on all; where a node was only its owner knows.
 void StepProblem::move_supports(const State& from, double t, std::string& fault) {
-  acting_.clear();
+  auto acting = std::make_shared<std::vector<PrescribedDof>>();
   prescribed_.clear();
   const double* q_n = data(*start_x_);
   double u_acting = 0;
@@ -112,15 +112,16 @@ void StepProblem::move_supports(const State& from, double t, std::string& fault)
     const bool is_mine = dofs_.owned(p.node);
     double u = prescribed_displacement(support, p.axis, X, from.time, t, fault);
     if (is_increment(support) && is_mine) u += q_n[dofs_.local(p.node) + p.axis] - X[p.axis];
-    if (!acting_.empty() && acting_.back().node == p.node && acting_.back().axis == p.axis) {
-      const bool is_known = is_mine || !(is_increment(support) || is_increment(scene_.supports[acting_.back().support]));
-      if (fault.empty() && is_known) fault = contradiction(scene_, acting_.back(), p, u_acting, u, t);
+    if (!acting->empty() && acting->back().node == p.node && acting->back().axis == p.axis) {
+      const bool is_known = is_mine || !(is_increment(support) || is_increment(scene_.supports[acting->back().support]));
+      if (fault.empty() && is_known) fault = contradiction(scene_, acting->back(), p, u_acting, u, t);
       continue;
     }
-    acting_.push_back(p);
+    acting->push_back(p);
     u_acting = u;
     if (is_mine) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.axis] + u);
   }
+  acting_ = acting;
 }
 
 RCP<Vector> StepProblem::owned_sum(const Vector& shares) const {
@@ -282,6 +283,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.unbalanced->update(1.0, *out.contact, -1.0, *out.external, 1.0);
   if (!out.damping.is_null()) out.unbalanced->update(1.0, *out.damping, 1.0);
   out.residual = Teuchos::rcp(new Vector(*out.unbalanced, Teuchos::Copy));
+  out.prescribed = acting_;
 
   identity_rows_.assign(dofs_.n_owned(), 0);
   LawRows rows(dofs_.owned_map());

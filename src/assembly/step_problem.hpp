@@ -34,18 +34,20 @@ struct Evaluation {
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
   RCP<Vector> damping;                      ///< likewise; null if no body has any
   RCP<Vector> unbalanced;                   ///< the residual before supports and law take their rows: there the reactions [N]
-  RCP<Vector> gap;                          ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
-  RCP<Vector> area;                         ///< covered area at the rows of pressures [m^2]
-  RCP<Vector> compliance;                   ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
-  double force_residual = 0;                ///< |R| over free positions [N]
-  double force_scale = 0;                   ///< max(|f_int|, |f_ext|, |f_contact|) [N]
-  double gap_residual = 0;                  ///< greatest |gap| of a closed node [m]
-  double pressure_residual = 0;             ///< greatest |p| of an open node [Pa]
-  double pressure_scale = 0;                ///< greatest |p| of a closed node [Pa]
-  double volume_residual = 0;   ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
-  double support_residual = 0;  ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;     ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;    ///< per multiplier, on the rank that owns it: something lies opposite the node
+  /// Components that supports hold: each once, with the first support of the deck that acts on it.
+  std::shared_ptr<const std::vector<PrescribedDof>> prescribed;
+  RCP<Vector> gap;               ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
+  RCP<Vector> area;              ///< covered area at the rows of pressures [m^2]
+  RCP<Vector> compliance;        ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
+  double force_residual = 0;     ///< |R| over free positions [N]
+  double force_scale = 0;        ///< max(|f_int|, |f_ext|, |f_contact|) [N]
+  double gap_residual = 0;       ///< greatest |gap| of a closed node [m]
+  double pressure_residual = 0;  ///< greatest |p| of an open node [Pa]
+  double pressure_scale = 0;     ///< greatest |p| of a closed node [Pa]
+  double volume_residual = 0;    ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
+  double support_residual = 0;   ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;      ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;     ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -79,9 +81,6 @@ class StepProblem {
   ///         other: there is no such step then. The same on all ranks.
   std::string begin_step(const State& from, double t);
   double time() const { return time_; }
-
-  /// The components that supports hold in this step: each once, with the first support of the deck that acts on it.
-  const std::vector<PrescribedDof>& prescribed() const { return acting_; }
 
   Evaluation evaluate(const Vector& x);
 
@@ -159,7 +158,7 @@ class StepProblem {
   Search search_;
   RCP<Vector> search_x_;      // its positions on the overlap
   double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves
-  std::vector<PrescribedDof> acting_;
+  std::shared_ptr<const std::vector<PrescribedDof>> acting_ = std::make_shared<std::vector<PrescribedDof>>();
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> dead_;                                // owned: force of the dead loads at time_
   std::vector<double> normal_stiffness_;            // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant

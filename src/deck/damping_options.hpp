@@ -29,7 +29,7 @@ void describe(Fields& f, RayleighOptions& o) {
   f.optional("rayleigh stiffness", o.stiffness, at_least(0), "time", "b of the damping force");
   f.choice("mass", o.mass_kind, mass_names, Presence::optional,
            "consistent: by a rule that is exact for straight edges; consistent 2x2x2: by the rule of the stiffness, for hex8 the "
-           "thesis' 2 x 2 x 2 points; lumped: diagonal, positive for every element");
+           "thesis' 2 x 2 x 2 points (not for tetrahedra, whose rule has too few); lumped: diagonal, positive for every element");
   f.only_with({"mass"}, "rayleigh mass", o.mass > 0, "\"rayleigh mass\" > 0");
 }
 

@@ -106,7 +106,7 @@ void History::update_ledger(StepProblem& problem, const State& before, const Sta
   {
     auto r = reaction.getDataNonConst();
     auto rest = out_of_balance.getDataNonConst();
-    for (const auto& p : problem.prescribed()) {
+    for (const auto& p : *at.prescribed) {
       if (!problem.dofs().owned(p.node)) continue;
       const int k = problem.dofs().local(p.node) + p.axis;
       r[k] = rest[k];
@@ -174,7 +174,7 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     for (int i = 0; i < 3; ++i) reactions[i] = nodal_quantity(problem, now, at, fmt::format("reaction_{}", "xyz"[i]));
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
     std::array<double, 3> sum{};
-    for (const auto& p : problem.prescribed())
+    for (const auto& p : *at.prescribed)
       if (p.support == static_cast<int>(s)) sum[p.axis] += reactions[p.axis][p.node];
     row.insert(row.end(), sum.begin(), sum.end());
   }

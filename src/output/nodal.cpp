@@ -71,7 +71,7 @@ std::vector<double> nodal_quantity(const StepProblem& problem, const State& stat
   if (has_axis && name.rfind("reaction_", 0) == 0) {
     const auto unbalanced = problem.gather(*at.unbalanced);
     std::vector<double> values(n, 0.0);
-    for (const auto& p : problem.prescribed())
+    for (const auto& p : *at.prescribed)
       if (p.axis == axis) values[p.node] = unbalanced[3 * static_cast<std::size_t>(p.node) + axis];
     return values;
   }
