@@ -1,6 +1,7 @@
 #include "assembly/follower_term.hpp"
 
 #include <Sacado.hpp>
+#include <algorithm>
 
 #include "physics/surface_load.hpp"
 
@@ -8,16 +9,8 @@ namespace mortise {
 
 FollowerTerm::FollowerTerm(const Scene& scene, const Load& load, const Partition& partition, const DofSpace& dofs)
     : mesh_(scene.mesh.mesh), load_(load) {
-  const auto& sides = std::visit(
-      [](const auto& what) -> const std::vector<Side>& {
-        static const std::vector<Side> none;
-        if constexpr (std::is_same_v<decltype(what), const forces::SideTraction&> ||
-                      std::is_same_v<decltype(what), const forces::SidePressure&>)
-          return what.sides;
-        else
-          return none;
-      },
-      load.what);
+  const auto* traction = std::get_if<forces::SideTraction>(&load.what);
+  const auto& sides = traction ? traction->sides : std::get<forces::SidePressure>(load.what).sides;
   sides_ = owned_sides(mesh_, sides, partition, dofs);
 }
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "assembly/side_list.hpp"
@@ -13,6 +12,7 @@ namespace mortise {
 /// Pressure, or traction of fixed direction, on the sides of elements that this rank owns.
 class FollowerTerm {
  public:
+  /// Precondition: the load follows.
   FollowerTerm(const Scene& scene, const Load& load, const Partition& partition, const DofSpace& dofs);
 
   /// One cell per side, appended; `add_tangent` counts from there.
