@@ -114,9 +114,9 @@ TEST_P(LoadsOn, FreeFallOfAMassDampedElementIsUniform) {
     const auto x = s.gather(*s.state.x);
     double mean = 0;
     for (std::size_t a = 2; a < x.size(); a += 3) mean += (x[a] - s.scene.mesh.mesh.coordinates[a / 3][2]) / (x.size() / 3);
-    if (mass == "consistent")
-      for (std::size_t a = 2; a < x.size(); a += 3)
-        EXPECT_NEAR(x[a] - s.scene.mesh.mesh.coordinates[a / 3][2], -1.5, 1e-9) << mass << ", node " << a / 3;
+    for (std::size_t a = 2; a < x.size() && mass == "consistent"; a += 3) {
+      EXPECT_NEAR(x[a] - s.scene.mesh.mesh.coordinates[a / 3][2], -1.5, 1e-9) << "node " << a / 3;
+    }
     EXPECT_LT(mean, -1) << mass;
   }
 }
