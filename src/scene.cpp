@@ -8,6 +8,7 @@
 
 #include "assembly/formulations.hpp"
 #include "errors.hpp"
+#include "make_loads.hpp"
 #include "make_material.hpp"
 #include "mesh/contact_sides.hpp"
 #include "mesh/suspicions.hpp"
@@ -37,7 +38,8 @@ double element_volume(const Mesh& mesh, int e) {
 /// Makes the scene part by part; errors are gathered so that the user sees them together.
 class SceneMaker {
  public:
-  SceneMaker(const Deck& deck, std::vector<std::string>& warnings) : deck_(deck), options_(deck.options()), warnings_(warnings) {}
+  SceneMaker(const Deck& deck, std::vector<std::string>& warnings)
+      : deck_(deck), options_(deck.options()), warnings_(warnings), names_(deck, scene_.mesh, errors_) {}
 
   Scene make() {
     std::vector<std::pair<std::string, Mesh>> meshes;
@@ -52,8 +54,11 @@ class SceneMaker {
     warn_of_odd_materials();
     make_bodies();
     stop_at_errors();  // what follows needs bodies
-    make_supports();
-    make_tractions();
+    make_supports(names_, scene_);
+    make_springs(names_, scene_);
+    make_loads(names_, scene_);
+    add_stops(scene_);
+    check_motions(names_, scene_);
     make_pairs();
     make_probes();
     stop_at_errors();
@@ -82,11 +87,6 @@ class SceneMaker {
     Mesh mesh = make_mesh(o, folder);
     for (const auto& warning : mesh_warnings(mesh)) warnings_.push_back(fmt::format("meshes > {}: {}", name, warning));
     return mesh;
-  }
-
-  std::string known_sets(const std::string& name) const {
-    const auto names = set_names(scene_.mesh);
-    return fmt::format("no such set{}; the meshes have: {}", did_you_mean(name, names), join(names));
   }
 
   void warn_of_odd_materials() {
@@ -119,8 +119,16 @@ class SceneMaker {
       const MaterialOptions& of_material = named(options_.materials, o.material);
       const Material material = make_material(of_material);
       check_formulation(name, o.formulation, material);
-      Body body{name, material,           o.formulation, o.tangent, {}, {}, small_strain_moduli(material).youngs_modulus(),
-                0,    of_material.density};
+      Body body{name,
+                material,
+                o.formulation,
+                o.tangent,
+                {},
+                {},
+                small_strain_moduli(material).youngs_modulus(),
+                0,
+                of_material.density,
+                o.rayleigh};
       for (int b : blocks) {
         if (!owner[b].empty())
           error("D19", {"bodies", name},
@@ -139,6 +147,7 @@ class SceneMaker {
       std::sort(body.nodes.begin(), body.nodes.end());
       body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
       check_elements(name, body);
+      check_mass(name, body);
       body.size = std::cbrt(volume / std::max<std::size_t>(1, body.elements.size()));
       scene_.bodies.push_back(std::move(body));
     }
@@ -181,6 +190,21 @@ class SceneMaker {
     }
   }
 
+  /// A mass matrix by fewer points than the element has nodes is singular.
+  void check_mass(const std::string& name, const Body& body) {
+    if (body.rayleigh.mass_kind != MassKind::stiffness_rule) return;
+    for (int e : body.elements) {
+      const ElementType type = element_type(scene_.mesh.mesh, e);
+      const bool is_regular = with_element(
+          type, [](auto element) { return element.stiffness_rule.size() >= static_cast<std::size_t>(element.n_nodes); });
+      if (is_regular) continue;
+      error("D19", {"bodies", name, "mass"},
+            fmt::format("gives a singular mass for {} elements, whose stiffness takes fewer points than they have nodes ({})",
+                        topology(type).name, describe_element(scene_.mesh, e)));
+      return;
+    }
+  }
+
   void number_pressures() {
     std::vector<int> count(static_cast<std::size_t>(n_elements(scene_.mesh.mesh)), 0);
     int n = 0;
@@ -189,97 +213,6 @@ class SceneMaker {
     if (n == 0) return;
     scene_.first_pressure = {0};
     for (int c : count) scene_.first_pressure.push_back(scene_.first_pressure.back() + c);
-  }
-
-  std::vector<int> nodes_of(const std::string& name, const Path& path) {
-    if (const auto* sides = find_side_set(scene_.mesh, name)) {
-      std::vector<int> nodes;
-      for (const Side& side : sides->sides)
-        for (int n : side_nodes(scene_.mesh.mesh, side)) nodes.push_back(n);
-      std::sort(nodes.begin(), nodes.end());
-      nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
-      return nodes;
-    }
-    if (const auto* set = find_node_set(scene_.mesh, name)) return set->nodes;
-    error("D20", path, known_sets(name));
-    return {};
-  }
-
-  const SideSet* sides_of(const std::string& name, const Path& path) {
-    const auto* sides = find_side_set(scene_.mesh, name);
-    if (!sides)
-      error("D20", path, find_node_set(scene_.mesh, name) ? "a node set has no sides - a side set is needed" : known_sets(name));
-    return sides;
-  }
-
-  std::array<std::optional<Formula>, 3> formulas(const std::array<std::optional<std::string>, 3>& texts) const {
-    std::array<std::optional<Formula>, 3> compiled;
-    for (int i = 0; i < 3; ++i)
-      if (texts[i]) compiled[i].emplace(*texts[i], options_.tables);
-    return compiled;
-  }
-
-  std::array<std::string, 3> places(const std::string& code, const std::string& list, const std::string& name,
-                                    const std::array<std::optional<std::string>, 3>& texts) const {
-    std::array<std::string, 3> where;
-    for (int i = 0; i < 3; ++i)
-      if (texts[i]) where[i] = deck_.error(code, {list, name, std::string(1, "xyz"[i])}, "");
-    return where;
-  }
-
-  // Judged here at the start, at the stops and at the end, so that most contradictions are told before the run; later at each
-  // step.
-  bool agree(const DoublyPrescribed& twice) {
-    std::vector<double> times{0.0, options_.time.end};
-    times.insert(times.end(), options_.time.stops.begin(), options_.time.stops.end());
-    for (double t : times) {
-      const std::string message = contradiction(scene_, twice, t);
-      if (message.empty()) continue;
-      errors_.push_back(message);
-      return false;
-    }
-    return true;
-  }
-
-  void make_supports() {
-    std::map<std::pair<int, int>, int> taken;
-    for (const auto& [name, o] : options_.supports) {
-      Support support{name, formulas(o.displacement), places("D23", "supports", name, o.displacement),
-                      places("D21", "supports", name, o.displacement)};
-      const int index = static_cast<int>(scene_.supports.size());
-      scene_.supports.push_back(support);
-      bool told = false;
-      for (int node : nodes_of(o.set, {"supports", name, "set"}))
-        for (int i = 0; i < 3; ++i) {
-          if (!support.displacement[i]) continue;
-          const auto [at, is_new] = taken.insert({{node, i}, index});
-          if (is_new) continue;
-          const DoublyPrescribed twice{node, i, at->second, index};
-          scene_.doubly_prescribed.push_back(twice);
-          if (!told) told = !agree(twice);  // the first node is enough
-        }
-    }
-    for (const auto& [dof, support] : taken) scene_.prescribed.push_back({dof.first, dof.second, support});
-  }
-
-  void make_tractions() {
-    for (const auto& [name, o] : options_.loads) {
-      Traction traction{name, {}, formulas(o.traction), places("D23", "loads", name, o.traction)};
-      std::map<int, double> weights;
-      if (const auto* sides = sides_of(o.set, {"loads", name, "set"}))
-        for (const Side& side : sides->sides) {
-          const auto nodes = side_nodes(scene_.mesh.mesh, side);
-          with_side(static_cast<int>(nodes.size()), [&](auto kind) {
-            using Kind = decltype(kind);
-            std::array<Point, Kind::n_nodes> X;
-            for (std::size_t a = 0; a < X.size(); ++a) X[a] = scene_.mesh.mesh.coordinates[nodes[a]];
-            const auto w = side_weights<Kind>(X);
-            for (std::size_t a = 0; a < X.size(); ++a) weights[nodes[a]] += w[a];
-          });
-        }
-      traction.weights.assign(weights.begin(), weights.end());
-      scene_.tractions.push_back(std::move(traction));
-    }
   }
 
   bool is_contact_surface(const SideSet& sides, const Path& path) {
@@ -309,8 +242,8 @@ class SceneMaker {
   void make_pairs() {
     std::map<int, std::string> secondary_of;
     for (const auto& [name, o] : options_.contact) {
-      const auto* secondary = sides_of(o.secondary, {"contact", name, "secondary"});
-      const auto* primary = sides_of(o.primary, {"contact", name, "primary"});
+      const auto* secondary = names_.sides_of(o.secondary, {"contact", name, "secondary"});
+      const auto* primary = names_.sides_of(o.primary, {"contact", name, "primary"});
       if (!secondary || !primary) continue;
       const bool is_sound = is_contact_surface(*secondary, {"contact", name, "secondary"});
       if (!is_contact_surface(*primary, {"contact", name, "primary"}) || !is_sound) continue;
@@ -384,31 +317,8 @@ class SceneMaker {
 
   void make_probes() {
     for (const auto& [name, o] : options_.probes) {
-      const MeshPart* part = find_part(scene_.mesh, o.mesh);
-      if (!part) {
-        error("D20", {"probes", name, "mesh"}, "no such mesh");
-        continue;
-      }
-      int node = -1;
-      if (o.node) {
-        if (const auto found = find_node(scene_.mesh, *part, *o.node)) {
-          node = *found;
-        } else {
-          error("D20", {"probes", name, "node"}, fmt::format("mesh \"{}\" has no node with that number", o.mesh));
-          continue;
-        }
-      } else {
-        double nearest = 1e300;
-        for (int n = part->first_node; n < part->first_node + part->n_nodes; ++n) {
-          const Point& X = scene_.mesh.mesh.coordinates[n];
-          const double d = std::hypot(X[0] - (*o.nearest)[0], X[1] - (*o.nearest)[1], X[2] - (*o.nearest)[2]);
-          if (d < nearest) {
-            nearest = d;
-            node = n;
-          }
-        }
-      }
-      scene_.probes.push_back({name, o.quantity, node});
+      if (const auto node = names_.node_of(o.mesh, o.node, o.nearest, {"probes", name}))
+        scene_.probes.push_back({name, o.quantity, *node});
     }
   }
 
@@ -429,19 +339,10 @@ class SceneMaker {
   std::vector<std::string>& warnings_;
   std::vector<std::string> errors_, mesh_errors_;
   Scene scene_;
+  DeckNames names_;
 };
 
 }  // namespace
-
-std::string contradiction(const Scene& scene, const DoublyPrescribed& twice, double t) {
-  const Support &first = scene.supports[twice.first], &second = scene.supports[twice.second];
-  const Point& X = scene.mesh.mesh.coordinates[twice.node];
-  const double a = (*first.displacement[twice.axis])(t, X), b = (*second.displacement[twice.axis])(t, X);
-  if (!std::isfinite(a) || !std::isfinite(b) || std::abs(a - b) <= 1e-12 * (1 + std::abs(a))) return "";
-  return fmt::format("{}{}, component {}, is moved by {} here and by {} in \"{}\" at t = {} - one value is needed",
-                     second.where_contradicting[twice.axis], describe_node(scene.mesh, twice.node), "xyz"[twice.axis], b, a,
-                     first.name, t);
-}
 
 Scene make_scene(const Deck& deck, std::vector<std::string>& warnings) { return SceneMaker(deck, warnings).make(); }
 

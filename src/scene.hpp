@@ -8,10 +8,10 @@
 
 #include "contact/surface.hpp"
 #include "deck/deck.hpp"
-#include "deck/formula.hpp"
 #include "mesh/combine.hpp"
 #include "mesh/mesh.hpp"
 #include "physics/materials/materials.hpp"
+#include "scene_loads.hpp"
 
 namespace mortise {
 
@@ -26,35 +26,7 @@ struct Body {
   double youngs_modulus;          ///< at small strain [Pa], for scales
   double size;                    ///< edge of a cube with the mean element volume [m]
   std::optional<double> density;  ///< mass per reference volume [kg/m^3]
-};
-
-/// Prescribed displacement of one component of one node: q = X + u(t).
-struct PrescribedDof {
-  int node;
-  int axis;
-  int support;  ///< index into Scene::supports
-};
-
-struct Support {
-  std::string name;
-  std::array<std::optional<Formula>, 3> displacement;
-  std::array<std::string, 3> where;                ///< start of the message about a formula: its place in the deck
-  std::array<std::string, 3> where_contradicting;  ///< start of the message about another support that prescribes another value
-};
-
-/// A component that two supports prescribe: at every time both must give the same value.
-struct DoublyPrescribed {
-  int node;
-  int axis;
-  int first, second;  ///< indices into Scene::supports
-};
-
-/// Dead traction: nodal weights [m^2] of a side set and the traction [Pa] by formula.
-struct Traction {
-  std::string name;
-  std::vector<std::pair<int, double>> weights;
-  std::array<std::optional<Formula>, 3> traction;
-  std::array<std::string, 3> where;  ///< start of the message about a formula: its place in the deck
+  RayleighOptions rayleigh;
 };
 
 /// Two surfaces that may meet.
@@ -85,9 +57,9 @@ struct Scene {
   CombinedMesh mesh;
   std::vector<Body> bodies;
   std::vector<Support> supports;
-  std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis; each once
-  std::vector<DoublyPrescribed> doubly_prescribed;
-  std::vector<Traction> tractions;
+  std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis, support, whether or not the support acts
+  std::vector<Spring> springs;
+  std::vector<Load> loads;
   std::vector<ContactPair> pairs;
   int n_multipliers = 0;
   /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
@@ -109,10 +81,6 @@ struct Scene {
   /// Pressure that is round-off [Pa].
   double pressure_floor() const { return force_floor / (size * size); }
 };
-
-/// The message about two supports that give different values at time `t`, or an empty text. Values that are not finite are no
-/// contradiction: they have a message of their own.
-std::string contradiction(const Scene& scene, const DoublyPrescribed& twice, double t);
 
 /// Opens the meshes and resolves every name of the deck.
 /// @param warnings lines for the log, e.g. about a secondary side that is coarser than the primary one

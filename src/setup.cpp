@@ -43,7 +43,7 @@ State Setup::first_state() {
   for (const auto& pair : problem.pairs())
     for (const auto& n : pair->normals(data(*x))) normals.push_back(n);
   std::vector<std::string> messages;
-  for (const auto& body : free_bodies(scene, closed, normals))
+  for (const auto& body : free_bodies(scene, closed, normals, state.time))
     messages.push_back(
         deck.error("D22", {"bodies", body.body},
                    fmt::format("{} free rigid {} in statics: {} - add supports, or let contact be closed at the "

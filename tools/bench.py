@@ -58,7 +58,7 @@ def google_benchmark(program, repetitions, *options):
         if record.get("error_occurred"):
             sys.exit(f"bench: {record['name']}: {record['error_message']}")
         if record["run_type"] == "iteration":
-            name = "/".join(part for part in record["name"].split("/") if part != "real_time" and ":" not in part)
+            name = "/".join(part for part in record["name"].split("/") if part not in ("real_time", "manual_time") and ":" not in part)
             found.setdefault(name, []).append(record)
     return found
 

@@ -147,8 +147,11 @@ class ElementBlock {
     return {y, y + n_global};
   }
 
+  const Points& points(std::size_t e) const { return points_[e]; }
+
  private:
   static constexpr int n_global = Count<Formulation>::global, n_all = Count<Formulation>::all;
+
   void gather(std::size_t e, const double* x, double* y) const {
     for (int a = 0; a < n_nodes; ++a)
       for (int i = 0; i < 3; ++i) y[3 * a + i] = x[local_[e][a] + i];

@@ -66,7 +66,8 @@ void reduce(std::vector<std::vector<double>>& basis) {
 
 }  // namespace
 
-std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& closed, const std::vector<Vec3<double>>& normals) {
+std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& closed, const std::vector<Vec3<double>>& normals,
+                                  double from) {
   const int n = 6 * static_cast<int>(scene.bodies.size());
   std::vector<Frame> frames;
   for (const auto& body : scene.bodies) frames.push_back(frame_of(scene, body));
@@ -82,12 +83,21 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
     for (int k = 0; k < 6; ++k) row[6 * body + k] += sign * m[k];
   };
   const auto& X = scene.mesh.mesh.coordinates;
-  for (const auto& p : scene.prescribed) {
+  const auto hold = [&](int node, int axis) {
     Vec3<double> d{};
-    d[p.axis] = 1;
-    add_motion(body_of(scene, p.node), X[p.node], d, 1);
+    d[axis] = 1;
+    add_motion(body_of(scene, node), X[node], d, 1);
     add_row();
-  }
+  };
+  for (const auto& p : scene.prescribed)
+    if (scene.supports[p.support].activity.acts_after(from)) hold(p.node, p.axis);
+  for (const auto& spring : scene.springs)
+    for (int node : spring.nodes)
+      for (int axis = 0; axis < 3; ++axis)
+        if (spring.stiffness[axis] > 0 && spring.activity.acts_after(from)) hold(node, axis);
+  for (const auto& body : scene.bodies)
+    for (int node : body.nodes)
+      for (int axis = 0; axis < 3 && body.rayleigh.mass > 0; ++axis) hold(node, axis);
   // Bodies that share a node move together there.
   std::map<int, int> first_body;
   for (int b = 0; b < static_cast<int>(scene.bodies.size()); ++b)

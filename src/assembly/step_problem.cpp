@@ -7,6 +7,7 @@
 
 #include "assembly/vectors.hpp"
 #include "errors.hpp"
+#include "prescribed_motion.hpp"
 
 namespace mortise {
 namespace {
@@ -22,21 +23,31 @@ class Stopwatch {
   double start_;
 };
 
-/// @param fault the message about the first value that is not finite; left alone if it holds one already
-double evaluate_at(const Formula& formula, double t, const Point& X, const std::string& where, std::string& fault) {
-  const double v = formula(t, X);
-  if (!std::isfinite(v) && fault.empty())
-    fault = fmt::format("{}gives {} at t = {}, x = {}, y = {}, z = {} - must be a finite number", where, v, t, X[0], X[1], X[2]);
-  return v;
+/// The message of the first rank that has one, on all ranks.
+std::string agreed(const Comm& comm, const std::string& fault) {
+  const int none = comm.getSize();
+  const int rank = all_reduced(comm, Teuchos::REDUCE_MIN, fault.empty() ? none : comm.getRank());
+  if (rank == none) return "";
+  std::string message = fault;
+  int size = static_cast<int>(message.size());
+  Teuchos::broadcast(comm, rank, &size);
+  message.resize(static_cast<std::size_t>(size));
+  Teuchos::broadcast(comm, rank, size, message.data());
+  return message;
 }
 
 }  // namespace
 
 StepProblem::StepProblem(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm)
-    : scene_(scene), dofs_(scene, partition, comm) {
+    : scene_(scene), dofs_(scene, partition, comm), dead_loads_(scene, partition, dofs_) {
   for (const auto& body : scene.bodies) bodies_.push_back(std::make_unique<BodyTerm>(scene, body, partition, dofs_));
   for (const auto& pair : scene.pairs) pairs_.push_back(std::make_unique<MortarTerm>(pair, partition, dofs_));
-  external_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  for (const auto& load : scene.loads)
+    if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);
+  for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
+  for (const auto& body : bodies_)
+    if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
+  dead_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
   identity_rows_.assign(dofs_.n_owned(), 0);
   for (const auto& body : scene.bodies)
     for (int e : body.elements)
@@ -75,31 +86,90 @@ void StepProblem::resume_counts(const WorkCounts& counts, const std::vector<Cont
 std::string StepProblem::begin_step(const State& from, double t) {
   std::string fault;
   time_ = t;
+  dt_ = t - from.time;
   start_x_ = to_overlap(*from.x);
   if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
-  const auto& X = scene_.mesh.mesh.coordinates;
+  move_supports(from, t, fault);
+  if (!dead_loads_.empty()) {
+    Vector shares(dofs_.overlap_map());
+    dead_loads_.add(t, data(shares), fault);
+    dead_ = owned_sum(shares);
+  }
+  for (auto& follower : followers_) follower.set_time(t, fault);
+  return agreed(*dofs_.comm(), fault);
+}
+
+// Formulas are evaluated on every rank, so that most faults are the same on all; where a node was only its owner knows.
+void StepProblem::move_supports(const State& from, double t, std::string& fault) {
+  auto acting = std::make_shared<std::vector<PrescribedDof>>();
   prescribed_.clear();
+  const double* q_n = data(*start_x_);
+  double u_acting = 0;
   for (const auto& p : scene_.prescribed) {
-    // Evaluated on every rank, so that a bad value ends all of them alike.
-    const auto& support = scene_.supports[p.support];
-    const double u = evaluate_at(*support.displacement[p.axis], t, X[p.node], support.where[p.axis], fault);
-    if (dofs_.owned(p.node)) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.node][p.axis] + u);
+    const Support& support = scene_.supports[p.support];
+    if (!support.activity.acts_at(t)) continue;
+    const Point& X = scene_.mesh.mesh.coordinates[p.node];
+    const bool is_mine = dofs_.owned(p.node);
+    double u = prescribed_displacement(support, p.axis, X, from.time, t, fault);
+    if (is_increment(support) && is_mine) u += q_n[dofs_.local(p.node) + p.axis] - X[p.axis];
+    if (!acting->empty() && acting->back().node == p.node && acting->back().axis == p.axis) {
+      const bool is_known = is_mine || !(is_increment(support) || is_increment(scene_.supports[acting->back().support]));
+      if (fault.empty() && is_known) fault = contradiction(scene_, acting->back(), p, u_acting, u, t);
+      continue;
+    }
+    acting->push_back(p);
+    u_acting = u;
+    if (is_mine) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.axis] + u);
   }
-  external_->putScalar(0.0);
-  double* f = data(*external_);
-  for (const auto& traction : scene_.tractions)
-    for (const auto& [node, weight] : traction.weights)
-      for (int i = 0; i < 3; ++i) {
-        if (!traction.traction[i]) continue;
-        const double t_i = evaluate_at(*traction.traction[i], t, X[node], traction.where[i], fault);
-        if (dofs_.owned(node)) f[dofs_.local(node) + i] += weight * t_i;
-      }
-  for (const auto& twice : scene_.doubly_prescribed) {
-    const auto& second = scene_.supports[twice.second];
-    evaluate_at(*second.displacement[twice.axis], t, X[twice.node], second.where[twice.axis], fault);
-    if (fault.empty()) fault = contradiction(scene_, twice, t);
+  acting_ = acting;
+}
+
+RCP<Vector> StepProblem::owned_sum(const Vector& shares) const {
+  auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  sum->doExport(shares, *dofs_.importer(), Tpetra::ADD);
+  return sum;
+}
+
+double StepProblem::strain_energy(const double* x) const {
+  double energy = 0;
+  for (const auto& body : bodies_) energy += body->strain_energy(x);
+  for (const auto& spring : springs_)
+    if (spring.acts_at(time_)) energy += spring.energy(x);
+  return energy;
+}
+
+void StepProblem::add_springs(const Vector& overlap_x, bool with_tangent, Vector& internal) {
+  for (const auto& spring : springs_) {
+    if (!spring.acts_at(time_)) continue;
+    spring.add_force(data(overlap_x), data(internal));
+    if (with_tangent) spring.add_stiffness(*matrix_);
   }
-  return fault;
+}
+
+RCP<Vector> StepProblem::damping(const Vector& overlap_x, bool with_tangent) {
+  if (dampings_.empty()) return Teuchos::null;
+  Vector velocity(dofs_.overlap_map()), force(dofs_.overlap_map());
+  if (dt_ > 0) velocity.update(1 / dt_, overlap_x, -1 / dt_, *start_x_, 0.0);
+  for (const auto& term : dampings_) {
+    term.add_force(data(velocity), data(force));
+    if (with_tangent && dt_ > 0) term.add_tangent(1 / dt_, *matrix_);
+  }
+  return owned_sum(force);
+}
+
+RCP<Vector> StepProblem::external(const Vector& overlap_x, bool with_tangent) {
+  if (followers_.empty()) return dead_;
+  Vector shares(dofs_.overlap_map());
+  for (const auto& follower : followers_) {
+    if (with_tangent) {
+      follower.add_tangent(data(overlap_x), data(shares), *matrix_);
+    } else {
+      follower.add_force(data(overlap_x), data(shares));
+    }
+  }
+  const auto sum = owned_sum(shares);
+  sum->update(1.0, *dead_, 1.0);
+  return sum;
 }
 
 void StepProblem::build_graph() {
@@ -107,6 +177,9 @@ void StepProblem::build_graph() {
   std::vector<Cell> cells;
   for (auto& body : bodies_) body->append_cells(cells);
   for (auto& pair : pairs_) pair->append_cells(cells);
+  for (auto& term : followers_) term.append_cells(cells);
+  for (auto& term : springs_) term.append_cells(cells);
+  for (auto& term : dampings_) term.append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
   ++counts_.graphs;
 }
@@ -199,18 +272,18 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
     for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), sums);
   }
 
-  const auto owned_sum = [&](const Vector& shares) {
-    auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
-    sum->doExport(shares, *dofs_.importer(), Tpetra::ADD);
-    return sum;
-  };
+  add_springs(*overlap_x, with_tangent, internal);
   out.internal = owned_sum(internal);
+  out.damping = damping(*overlap_x, with_tangent);
   out.contact = owned_sum(contact);
-  out.external = external_;
+  out.external = external(*overlap_x, with_tangent);
   out.gap = owned_sum(sums.weighted_gap);  // weighted until the law divides by the area
   out.area = owned_sum(sums.covered_area);
-  out.residual = Teuchos::rcp(new Vector(*out.internal, Teuchos::Copy));
-  out.residual->update(1.0, *out.contact, -1.0, *external_, 1.0);
+  out.unbalanced = Teuchos::rcp(new Vector(*out.internal, Teuchos::Copy));
+  out.unbalanced->update(1.0, *out.contact, -1.0, *out.external, 1.0);
+  if (!out.damping.is_null()) out.unbalanced->update(1.0, *out.damping, 1.0);
+  out.residual = Teuchos::rcp(new Vector(*out.unbalanced, Teuchos::Copy));
+  out.prescribed = acting_;
 
   identity_rows_.assign(dofs_.n_owned(), 0);
   LawRows rows(dofs_.owned_map());

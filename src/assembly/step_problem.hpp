@@ -4,8 +4,11 @@
 #include <memory>
 #include <vector>
 
-#include "assembly/body_term.hpp"
+#include "assembly/damping_term.hpp"
+#include "assembly/dead_loads.hpp"
+#include "assembly/follower_term.hpp"
 #include "assembly/mortar_term.hpp"
+#include "assembly/spring_term.hpp"
 
 namespace mortise {
 
@@ -27,20 +30,24 @@ struct State {
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
 struct Evaluation {
   bool admissible = false;  ///< det F > 0 everywhere; if false nothing else is of use
-  RCP<Vector> residual;     ///< f_int + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
+  RCP<Vector> residual;     ///< f_int + f_damping + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
-  RCP<Vector> gap;                          ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
-  RCP<Vector> area;                         ///< covered area at the rows of pressures [m^2]
-  RCP<Vector> compliance;                   ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
-  double force_residual = 0;                ///< |R| over free positions [N]
-  double force_scale = 0;                   ///< max(|f_int|, |f_ext|, |f_contact|) [N]
-  double gap_residual = 0;                  ///< greatest |gap| of a closed node [m]
-  double pressure_residual = 0;             ///< greatest |p| of an open node [Pa]
-  double pressure_scale = 0;                ///< greatest |p| of a closed node [Pa]
-  double volume_residual = 0;   ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
-  double support_residual = 0;  ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;     ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;    ///< per multiplier, on the rank that owns it: something lies opposite the node
+  RCP<Vector> damping;                      ///< likewise; null if no body has any
+  RCP<Vector> unbalanced;                   ///< the residual before supports and law take their rows: there the reactions [N]
+  /// Components that supports hold: each once, with the first support of the deck that acts on it.
+  std::shared_ptr<const std::vector<PrescribedDof>> prescribed;
+  RCP<Vector> gap;               ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
+  RCP<Vector> area;              ///< covered area at the rows of pressures [m^2]
+  RCP<Vector> compliance;        ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
+  double force_residual = 0;     ///< |R| over free positions [N]
+  double force_scale = 0;        ///< max(|f_int|, |f_ext|, |f_contact|) [N]
+  double gap_residual = 0;       ///< greatest |gap| of a closed node [m]
+  double pressure_residual = 0;  ///< greatest |p| of an open node [Pa]
+  double pressure_scale = 0;     ///< greatest |p| of a closed node [Pa]
+  double volume_residual = 0;    ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
+  double support_residual = 0;   ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;      ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;     ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -52,7 +59,8 @@ struct WorkCounts {
   double seconds_search = 0, seconds_contact = 0, seconds_elements = 0, seconds_assembly = 0;
 };
 
-/// Quasi-static equations  f_int(q) + f_contact(q, p) = f_ext(t),  with supports and the contact law, for one step.
+/// Quasi-static equations  f_int(q) + C (q - q_n)/dt + f_contact(q, p) = f_ext(t, q),  with supports and the contact law, for one
+/// step; springs are among f_int, and damping C only in bodies that have it.
 /// Everything is collective over the ranks of the scene's communicator.
 class StepProblem {
  public:
@@ -95,6 +103,9 @@ class StepProblem {
   const std::vector<std::unique_ptr<BodyTerm>>& bodies() const { return bodies_; }
   const std::vector<std::unique_ptr<MortarTerm>>& pairs() const { return pairs_; }
 
+  /// Strain energy of this rank's elements and of its springs that act now [J].
+  double strain_energy(const double* x) const;
+
   /// Positions and pressures with copies of the other ranks' values.
   RCP<Vector> to_overlap(const Vector& owned) const;
 
@@ -118,6 +129,11 @@ class StepProblem {
   double greatest_motion(const Vector& from, const Vector& to) const;
   double norm_of_forces(const Vector& f) const;
   void build_graph();
+  void move_supports(const State& from, double t, std::string& fault);
+  void add_springs(const Vector& overlap_x, bool with_tangent, Vector& internal);
+  RCP<Vector> damping(const Vector& overlap_x, bool with_tangent);
+  RCP<Vector> external(const Vector& overlap_x, bool with_tangent);
+  RCP<Vector> owned_sum(const Vector& shares) const;
   /// Factors of the derivatives that make up a pressure's row, on the owned map.
   struct LawRows {
     explicit LawRows(const RCP<const Map>& map) : gap(map), covered(map), whole(map) {}
@@ -132,14 +148,19 @@ class StepProblem {
   DofSpace dofs_;
   std::vector<std::unique_ptr<BodyTerm>> bodies_;
   std::vector<std::unique_ptr<MortarTerm>> pairs_;
+  DeadLoads dead_loads_;
+  std::vector<FollowerTerm> followers_;
+  std::vector<SpringTerm> springs_;
+  std::vector<DampingTerm> dampings_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
   RCP<Vector> start_x_;  // overlap positions at the start of the step
   Search search_;
-  RCP<Vector> search_x_;  // its positions on the overlap
-  double time_ = 0;
+  RCP<Vector> search_x_;      // its positions on the overlap
+  double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves
+  std::shared_ptr<const std::vector<PrescribedDof>> acting_ = std::make_shared<std::vector<PrescribedDof>>();
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
-  RCP<Vector> external_;                            // owned
+  RCP<Vector> dead_;                                // owned: force of the dead loads at time_
   std::vector<double> normal_stiffness_;            // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
   std::vector<char> identity_rows_;
   std::vector<std::pair<int, double>> pressure_volumes_;  // owned local unknown of an element's pressure, an element's volume

@@ -34,6 +34,8 @@ class CrossChecks {
   void run() {
     check_bodies();
     check_sets();
+    check_loads();
+    check_damping();
     check_contact();
     check_quantities();
     check_times();
@@ -96,8 +98,38 @@ class CrossChecks {
 
   void check_sets() {
     for (const auto& [name, support] : options_.supports) check_set(support.set, {"supports", name, "set"});
-    for (const auto& [name, load] : options_.loads) check_set(load.set, {"loads", name, "set"});
+    for (const auto& [name, spring] : options_.springs) check_set(spring.set, {"springs", name, "set"});
     for (const auto& [name, probe] : options_.probes) check_mesh(probe.mesh, {"probes", name, "mesh"});
+  }
+
+  void check_loads() {
+    for (const auto& [name, load] : options_.loads)
+      if (load.kind) std::visit([&, name = name](const auto& kind) { check_load(name, kind); }, *load.kind);
+  }
+  void check_load(const std::string& name, const loads::OnSides& load) { check_set(load.set, {"loads", name, "set"}); }
+  void check_load(const std::string& name, const loads::Pressure& load) { check_set(load.set, {"loads", name, "set"}); }
+  void check_load(const std::string& name, const loads::PointForce& load) {
+    if (load.set) check_set(*load.set, {"loads", name, "set"});
+    if (load.mesh) check_mesh(*load.mesh, {"loads", name, "mesh"});
+  }
+  void check_load(const std::string& name, const loads::BodyForce& load) {
+    const std::vector<std::string> bodies = names_in(options_.bodies);
+    if (load.body && std::find(bodies.begin(), bodies.end(), *load.body) == bodies.end())
+      report("D14", {"loads", name, "body"}, not_among("there is no body " + in_quotes(*load.body), *load.body, bodies));
+    for (const auto& [body_name, body] : options_.bodies)
+      if (!load.body || *load.body == body_name) check_density(body, "the body force " + in_quotes(name) + " needs it");
+  }
+
+  /// What moves by its mass needs a material with a density; each material is told once.
+  void check_density(const BodyOptions& body, const std::string& why) {
+    for (const auto& [name, material] : options_.materials)
+      if (name == body.material && !material.density && lacking_density_.insert(name).second)
+        report("D07", {"materials", name}, "required \"density\" is missing: " + why);
+  }
+
+  void check_damping() {
+    for (const auto& [name, body] : options_.bodies)
+      if (body.rayleigh.mass > 0) check_density(body, "\"rayleigh mass\" of body " + in_quotes(name) + " needs it");
   }
 
   void check_contact() {
@@ -149,6 +181,17 @@ class CrossChecks {
         report("D08", {"expected", name, "mean from"}, "must be before time > \"end\" = " + shortest(time.end));
       }
     }
+    check_starts("supports", options_.supports);
+    check_starts("springs", options_.springs);
+    check_starts("loads", options_.loads);
+  }
+
+  /// What starts when the run is over does nothing.
+  template <class Options>
+  void check_starts(const std::string& list, const Named<Options>& entries) {
+    for (const auto& [name, entry] : entries)
+      if (entry.activity.start && *entry.activity.start >= options_.time.end)
+        report("D08", {list, name, "start"}, "must be before time > \"end\" = " + shortest(options_.time.end));
   }
 
   /// A table is called in formulas, so its name must be a word that means nothing else there.
@@ -204,7 +247,7 @@ class CrossChecks {
   const DeckOptions& options_;
   Findings& findings_;
   std::vector<std::string> meshes_;
-  std::set<std::string> known_meshes_;
+  std::set<std::string> known_meshes_, lacking_density_;
   Named<TableOptions> callable_;
 };
 

@@ -6,9 +6,11 @@
 
 #include "deck/bounds.hpp"
 #include "deck/fields.hpp"
+#include "deck/load_descriptions.hpp"
 #include "deck/material_descriptions.hpp"
 #include "deck/names.hpp"
 #include "deck/options.hpp"
+#include "deck/support_descriptions.hpp"
 #include "mesh/recipes/descriptions.hpp"
 
 namespace mortise {
@@ -66,6 +68,9 @@ void describe(Fields& f, BodyOptions& o) {
   f.choice("tangent", o.tangent, tangent_names, Presence::optional,
            "how elements are differentiated: AD of the stress at each quadrature point, moduli derived by hand, AD or complex "
            "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");
+  describe(f, o.rayleigh);
+  f.rule("D19", {"rayleigh stiffness", "formulation"}, o.rayleigh.stiffness == 0 || o.formulation != FormulationKind::mixed,
+         "needs a \"formulation\" other than \"mixed\", whose stiffness at rest is not one of positions alone");
 }
 
 template <class Fields>
@@ -75,27 +80,6 @@ void describe(Fields& f, TableOptions& o) {
   f.rule("D17", {"arguments"}, o.arguments.size() >= 2, "must have at least 2 entries");
   f.rule("D17", {"arguments"}, is_strictly_ascending(o.arguments), "must be strictly ascending");
   f.rule("D17", {"values", "arguments"}, o.values.size() == o.arguments.size(), "must have as many entries as \"arguments\"");
-}
-
-template <class Fields>
-void describe(Fields& f, SupportOptions& o) {
-  f.required("set", o.set, anything, "", "mesh name / side set or node set (name or number)");
-  f.formula("x", o.displacement[0], "length", "displacement in x; left out: free");
-  f.formula("y", o.displacement[1], "length", "displacement in y; left out: free");
-  f.formula("z", o.displacement[2], "length", "displacement in z; left out: free");
-  f.at_least_one_of({"x", "y", "z"});
-}
-
-template <class Fields>
-void describe(Fields& f, TractionOptions& o) {
-  enum class Load { traction } load = Load::traction;
-  f.choice("type", load, Choices<Load>{{"traction", Load::traction}}, Presence::required,
-           "traction: force per reference area, of fixed direction");
-  f.required("set", o.set, anything, "", "mesh name / side set (name or number)");
-  f.formula("x", o.traction[0], "force/length^2", "component in x; left out: 0");
-  f.formula("y", o.traction[1], "force/length^2", "component in y; left out: 0");
-  f.formula("z", o.traction[2], "force/length^2", "component in z; left out: 0");
-  f.at_least_one_of({"x", "y", "z"});
 }
 
 template <class Fields>
@@ -214,8 +198,9 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("materials", o.materials, Presence::required, "materials; each must be used by a body");
   f.named("bodies", o.bodies, Presence::required, "a body: blocks of a mesh, and their material");
   f.named("tables", o.tables, Presence::optional, "piecewise linear functions, called in formulas by their names");
-  f.named("supports", o.supports, Presence::optional, "prescribed displacements; a component left out is free");
-  f.named("loads", o.loads, Presence::optional, "forces on surfaces");
+  f.named("supports", o.supports, Presence::optional, "prescribed motions");
+  f.named("springs", o.springs, Presence::optional, "springs to the ground");
+  f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");

@@ -8,7 +8,10 @@
 #include <vector>
 
 #include "assembly/tangent_kind.hpp"
+#include "deck/damping_options.hpp"
+#include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
+#include "deck/support_options.hpp"
 #include "mesh/recipes/recipes.hpp"
 
 namespace mortise {
@@ -41,18 +44,7 @@ struct BodyOptions {
   FormulationKind formulation = FormulationKind::standard;
   TangentKind tangent = TangentKind::quadrature_point;
   Kinematics kinematics = Kinematics::three_dimensional;
-};
-
-/// Prescribed displacement; a component without a formula is free.
-struct SupportOptions {
-  std::string set;  ///< mesh name / side or node set (name or number)
-  std::array<std::optional<std::string>, 3> displacement;
-};
-
-/// Dead traction on a side set: force per unit reference area, fixed direction.
-struct TractionOptions {
-  std::string set;
-  std::array<std::optional<std::string>, 3> traction;
+  RayleighOptions rayleigh;
 };
 
 enum class ContactMethod { mortar };
@@ -139,7 +131,8 @@ struct DeckOptions {
   Named<BodyOptions> bodies;
   Named<TableOptions> tables;
   Named<SupportOptions> supports;
-  Named<TractionOptions> loads;
+  Named<SpringOptions> springs;
+  Named<LoadOptions> loads;
   Named<ContactOptions> contact;
   TimeOptions time;
   SolverOptions solver;

@@ -66,8 +66,11 @@ class ReferencePrinter {
   }
 
   template <class Kinds>
-  void kind(const std::string& name, Kinds&, Presence presence, const std::string& help) {
-    parameter(name, {"string", presence == Presence::required ? "required" : "optional", "one of the following kinds"}, help);
+  void kind(const std::string& name, Kinds& target, Presence presence, const std::string& help) {
+    std::string held;
+    visit_kind(target, [&](const auto& one) { held = one.name; });
+    parameter(name, {"string", presence == Presence::required ? "required" : default_text(held), "one of the following kinds"},
+              help);
     if (!only_.empty()) return;
     for_each_kind<Kinds>([&](auto one) {
       print_wrapped(out_, fmt::format("{}  {} = \"{}\": ", indent_, name, one.name), one.help);

@@ -86,6 +86,7 @@ void members(const Visit& visit, C& c) {
   visit("contact work", c.ledger.contact);
   visit("closing work", c.ledger.closing);
   visit("resegmentation work", c.ledger.resegmentation);
+  visit("damping dissipation", c.ledger.damping);
   visit("algorithmic dissipation", c.ledger.algorithmic);
   visit("residual work", c.ledger.residual);
   visit("mismatch", c.ledger.mismatch);

@@ -17,9 +17,7 @@ namespace {
 
 double strain_energy(StepProblem& problem, const State& state) {
   const auto q = problem.to_overlap(*state.x);
-  double energy = 0;
-  for (const auto& body : problem.bodies()) energy += body->strain_energy(q->getData().getRawPtr());
-  return all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_SUM, energy);
+  return all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_SUM, problem.strain_energy(data(*q)));
 }
 
 // Increment of the positions; pressures have none.
@@ -103,19 +101,19 @@ void History::update_ledger(StepProblem& problem, const State& before, const Sta
   const double energy_before = ledger_.strain_energy;
   ledger_.strain_energy = strain_energy(problem, now);
 
-  Vector out_of_balance(*at.internal, Teuchos::Copy);
-  out_of_balance.update(1.0, *at.contact, -1.0, *at.external, 1.0);
+  Vector out_of_balance(*at.unbalanced, Teuchos::Copy);
   Vector reaction(dq.getMap());
   {
     auto r = reaction.getDataNonConst();
     auto rest = out_of_balance.getDataNonConst();
-    for (const auto& p : scene.prescribed) {
+    for (const auto& p : *at.prescribed) {
       if (!problem.dofs().owned(p.node)) continue;
       const int k = problem.dofs().local(p.node) + p.axis;
       r[k] = rest[k];
       rest[k] = 0;
     }
   }
+  const double damping = at.damping.is_null() ? 0 : at.damping->dot(dq);
   const double internal = at.internal->dot(dq), contact = -at.contact->dot(dq),
                external = at.external->dot(dq) + reaction.dot(dq), residual = out_of_balance.dot(dq),
                stored = ledger_.strain_energy - energy_before, algorithmic = internal - stored;
@@ -138,12 +136,13 @@ void History::update_ledger(StepProblem& problem, const State& before, const Sta
     closing = -problem.contact_force(*now.x, newly)->dot(dq);
   }
   ledger_.external += external;
+  ledger_.damping += damping;
   ledger_.contact += contact;
   ledger_.closing += closing;
   ledger_.resegmentation += contact - closing - both_ends;
   ledger_.algorithmic += algorithmic;
   ledger_.residual += residual;
-  ledger_.mismatch = stored + algorithmic - contact - external - residual;
+  ledger_.mismatch = stored + algorithmic - contact + damping - external - residual;
   ledger_.weighted_gap = weighted_gap;
 }
 
@@ -175,13 +174,13 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     for (int i = 0; i < 3; ++i) reactions[i] = nodal_quantity(problem, now, at, fmt::format("reaction_{}", "xyz"[i]));
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
     std::array<double, 3> sum{};
-    for (const auto& p : scene.prescribed)
+    for (const auto& p : *at.prescribed)
       if (p.support == static_cast<int>(s)) sum[p.axis] += reactions[p.axis][p.node];
     row.insert(row.end(), sum.begin(), sum.end());
   }
-  // No inertia, friction or damping in a static scene: their shares are zero because the terms do not exist.
+  // No inertia or friction in a static scene: their shares are zero because the terms do not exist.
   row.insert(row.end(), {0.0, ledger_.strain_energy, 0.0, ledger_.strain_energy, ledger_.external, ledger_.contact,
-                         ledger_.closing, ledger_.resegmentation, 0.0, 0.0, ledger_.algorithmic, ledger_.residual,
+                         ledger_.closing, ledger_.resegmentation, 0.0, ledger_.damping, ledger_.algorithmic, ledger_.residual,
                          ledger_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
   for (const auto& probe : scene.probes) row.push_back(nodal_quantity(problem, now, at, probe.quantity)[probe.node]);
   const auto& counts = problem.counts();

@@ -13,6 +13,7 @@ namespace mortise {
 /// Sums of works since the start, and what the next step's works are counted from (conventions, section 7).
 struct Ledger {
   double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0;  ///< [J]
+  double damping = 0;                                                                                ///< dissipated [J]
   double mismatch = 0;                                                                               ///< of the last step [J]
   double strain_energy = 0;                                                                          ///< [J]
   std::vector<char> closed;          ///< per multiplier of the scene

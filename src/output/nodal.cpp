@@ -69,13 +69,10 @@ std::vector<double> nodal_quantity(const StepProblem& problem, const State& stat
     return values;
   }
   if (has_axis && name.rfind("reaction_", 0) == 0) {
-    const auto internal = problem.gather(*at.internal), contact = problem.gather(*at.contact),
-               external = problem.gather(*at.external);
+    const auto unbalanced = problem.gather(*at.unbalanced);
     std::vector<double> values(n, 0.0);
-    for (const auto& p : scene.prescribed) {
-      const std::size_t k = 3 * static_cast<std::size_t>(p.node) + axis;
-      if (p.axis == axis) values[p.node] = internal[k] + contact[k] - external[k];
-    }
+    for (const auto& p : *at.prescribed)
+      if (p.axis == axis) values[p.node] = unbalanced[3 * static_cast<std::size_t>(p.node) + axis];
     return values;
   }
   if (name == "contact_pressure") return at_secondary_nodes(problem, problem.gather(*state.x));

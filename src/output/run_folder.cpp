@@ -40,6 +40,37 @@ int lock(const fs::path& folder) {
 
 std::string on_off(bool on) { return on ? "on" : "off"; }
 
+/// When something acts, in words; nothing if always.
+std::string in_words(const Activity& activity) {
+  return (activity.start ? fmt::format(", after t = {}", *activity.start) : "") +
+         (activity.end ? fmt::format(", up to t = {}", *activity.end) : "");
+}
+
+/// Supports, springs, loads and damping: each kind on or off, then each entry with its times.
+std::string forces_and_motions(const Scene& scene) {
+  const bool is_damped =
+      std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.rayleigh.exists(); });
+  std::string text =
+      fmt::format("  prescribed motion: {}\n  springs: {}\n", on_off(!scene.prescribed.empty()), on_off(!scene.springs.empty()));
+  for (const auto& kind : names_of_kinds<LoadKind>())
+    text += fmt::format(
+        "  {}: {}\n", kind,
+        on_off(std::any_of(scene.loads.begin(), scene.loads.end(), [&](const Load& load) { return load.kind == kind; })));
+  text += fmt::format("  damping: {}\n", on_off(is_damped));
+  for (const auto& support : scene.supports)
+    text += fmt::format("  support \"{}\": {}{}\n", support.name, support.kind, in_words(support.activity));
+  for (const auto& spring : scene.springs)
+    text += fmt::format("  springs \"{}\": {}{}\n", spring.name, spring.sides.empty() ? "nodes" : "bedding",
+                        in_words(spring.activity));
+  for (const auto& load : scene.loads)
+    text += fmt::format("  load \"{}\": {}{}\n", load.name, load.kind, in_words(load.activity));
+  for (const auto& body : scene.bodies)
+    if (body.rayleigh.exists())
+      text += fmt::format("  damping of \"{}\": Rayleigh, mass {}, stiffness {}, mass matrix {}\n", body.name, body.rayleigh.mass,
+                          body.rayleigh.stiffness, word_for(mass_names, body.rayleigh.mass_kind));
+  return text;
+}
+
 }  // namespace
 
 RunFolder RunFolder::begin(const fs::path& folder, bool overwrite) {
@@ -98,9 +129,8 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     text += fmt::format("  internal force of \"{}\": on, {}, {} elements, formulation {}, tangent {}\n", body.name,
                         std::visit([](const auto& m) { return std::string(m.name); }, body.material), body.elements.size(),
                         word_for(formulation_names, body.formulation), word_for(tangent_names, body.tangent));
-  text += fmt::format(
-      "  inertia: off (static)\n  prescribed motion: {}\n  traction: {}\n  contact: {}\n  friction: off\n  damping: off\n",
-      on_off(!scene.prescribed.empty()), on_off(!scene.tractions.empty()), on_off(!scene.pairs.empty()));
+  text += fmt::format("  inertia: off (static)\n  contact: {}\n  friction: off\n", on_off(!scene.pairs.empty()));
+  text += forces_and_motions(scene);
   for (const auto& pair : scene.pairs)
     text += fmt::format(
         "  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}; the law "

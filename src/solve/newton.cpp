@@ -120,11 +120,11 @@ class StepStatus : public NOX::StatusTest::Generic {
     for (const auto& pair : problem.pairs())
       for (const auto& n : pair->normals(x->getData().getRawPtr())) normals.push_back(n);
     std::string text;
-    for (const auto& body : free_bodies(problem.scene(), previous_, normals))
+    for (const auto& body : free_bodies(problem.scene(), previous_, normals, start_.time))
       text += fmt::format("; body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));
     result_.is_free = !text.empty();
     if (text.empty())
-      for (const auto& body : free_bodies(problem.scene(), std::vector<char>(normals.size(), 0), normals))
+      for (const auto& body : free_bodies(problem.scene(), std::vector<char>(normals.size(), 0), normals, start_.time))
         text += fmt::format("; without contact body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));
     return text;
   }

@@ -98,8 +98,13 @@ TEST(Run, ThatDivergesLeavesTheGoodStepsReadable) {
 
 TEST(Run, OfEveryPatchDeckMeetsItsExpectedValues) {
   const ScratchFolder folder;
-  const std::vector<std::pair<std::string, int>> runs{
-      {"contact", 1}, {"conforming", 2}, {"shifted", 4}, {"rotated", 2}, {"inclined", 4}};
+  const std::vector<std::pair<std::string, int>> runs{{"contact", 1},
+                                                      {"conforming", 2},
+                                                      {"shifted", 4},
+                                                      {"rotated", 2},
+                                                      {"inclined", 4},
+                                                      {"mooney_rivlin_dead", 1},
+                                                      {"mooney_rivlin_follower", 2}};
   for (const auto& [name, ranks] : runs) {
     const auto run =
         run_mortise(folder, "run '" + std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/" + name + ".xml' --quiet", ranks);

@@ -106,12 +106,17 @@ TEST(Expected, NeedsOneTimeThatIsAStopAndAPositiveTolerance) {
 }
 
 TEST(Loads, NeedAKnownTypeAndAComponent) {
-  const std::string message = error_of_lists(R"(<ParameterList name="loads"><ParameterList name="push">
-  <Parameter name="type" type="string" value="tracton"/>
+  const auto message = [](const std::string& type) {
+    return error_of_lists(R"(<ParameterList name="loads"><ParameterList name="push">
+  <Parameter name="type" type="string" value=")" +
+                          type + R"("/>
   <Parameter name="set" type="string" value="cube/top"/>
   </ParameterList></ParameterList>)");
-  EXPECT_NE(message.find("error[D10] loads > push > \"type\" = \"tracton\""), std::string::npos) << message;
-  EXPECT_NE(message.find("error[D12] loads > push - at least one of"), std::string::npos) << message;
+  };
+  const std::string unknown = message("tracton"), empty = message("traction");
+  EXPECT_NE(unknown.find("error[D10] loads > push > \"type\" = \"tracton\""), std::string::npos) << unknown;
+  EXPECT_NE(unknown.find("did you mean \"traction\"?"), std::string::npos) << unknown;
+  EXPECT_NE(empty.find("error[D12] loads > push - at least one of"), std::string::npos) << empty;
 }
 
 TEST(Tables, ThatAreFaultyOrUnusedAreRefused) {

@@ -28,8 +28,9 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
   EXPECT_EQ(o.bodies[1].second.tangent, TangentKind::quadrature_point);
   ASSERT_EQ(o.supports.size(), 2u);
   EXPECT_EQ(o.supports[1].second.set, "indenter/top");
-  EXPECT_EQ(o.supports[1].second.displacement[0], "0.15*max(t-1,0)");
-  EXPECT_EQ(o.supports[1].second.displacement[2], "-0.7*min(t,1)");
+  const auto& motion = std::get<supports::Displacement>(o.supports[1].second.kind);
+  EXPECT_EQ(motion.displacement[0], "0.15*max(t-1,0)");
+  EXPECT_EQ(motion.displacement[2], "-0.7*min(t,1)");
   ASSERT_EQ(o.contact.size(), 1u);
   EXPECT_EQ(o.contact[0].first, "indenter on slab");
   EXPECT_EQ(o.contact[0].second.secondary, "indenter/bottom");
@@ -55,7 +56,7 @@ TEST(Deck, OfFewLinesLeavesDefaults) {
   EXPECT_EQ(std::get<recipes::Block>(o.meshes[0].second.recipe.value()).size, (std::array<double, 3>{1, 1, 1}));
   EXPECT_EQ(o.solver.tolerance, SolverOptions{}.tolerance);
   EXPECT_EQ(o.output.fields, OutputOptions{}.fields);
-  EXPECT_FALSE(o.supports[0].second.displacement[0]);
+  EXPECT_FALSE(std::get<supports::Displacement>(o.supports[0].second.kind).displacement[0]);
   EXPECT_TRUE(o.contact.empty());
 }
 
@@ -103,7 +104,7 @@ TEST(Deck, TakesEveryListOfTheReference) {
   </ParameterList>)deck"));
   EXPECT_EQ(o.units.length, "mm");
   EXPECT_EQ(o.tables[0].second.values, (std::vector<double>{0, 1, 1}));
-  EXPECT_EQ(o.loads[0].second.traction[2], "-ramp(t)*sin(pi*x)");
+  EXPECT_EQ(std::get<loads::Traction>(*o.loads[0].second.kind).traction[2], "-ramp(t)*sin(pi*x)");
   EXPECT_EQ(o.solver.linear, LinearSolverKind::iterative);
   EXPECT_EQ(o.solver.largest_iterations, 15);
   EXPECT_EQ(o.solver.further_iterations, 1);

@@ -27,7 +27,7 @@ Checkpoint example() {
   c.search_x = {0.2, 0.3};
   c.search_reach = 0.7;
   c.search_inward = 0.9;
-  c.ledger = {1, 2, 3, 4, 5, 6, 1e-17, 8, {1, 0, 1}, {0.5, -0.5, 0.25}};
+  c.ledger = {1, 2, 3, 4, 5, 6, 7, 1e-17, 8, {1, 0, 1}, {0.5, -0.5, 0.25}};
   c.work = {11, 12, 13, 14, 0.1, 0.2, 0.3, 0.4};
   c.contact = {{21, 22, 23, 24}, {31, 32, 33, 34}};
   return c;
@@ -61,6 +61,7 @@ TEST(CheckpointBytes, GiveBackEveryMemberToTheLastBit) {
   EXPECT_EQ(d.frames, 8);
   EXPECT_EQ(d.ledger.closed, c.ledger.closed);
   EXPECT_TRUE(same_bits(d.ledger.weighted_gap, c.ledger.weighted_gap));
+  EXPECT_EQ(d.ledger.damping, 7);
   EXPECT_EQ(d.ledger.mismatch, 1e-17);
   EXPECT_EQ(d.work.graphs, 14);
   ASSERT_EQ(d.contact.size(), 2u);
