@@ -36,7 +36,8 @@ DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const do
       element.C.assign(n * n, 0.0);
       if (body.rayleigh.stiffness > 0) {
         std::vector<double> r(n_global), K(n_global * n_global);
-        block.tangent(TangentKind::quadrature_point, block.law(), e, reference, r.data(), K.data());
+        constexpr TangentKind kind = TangentKind::quadrature_point;
+        block.tangent(kind, best_step(kind), block.law(), e, reference, r.data(), K.data());
         for (std::size_t k = 0; k < n; ++k)
           for (std::size_t l = 0; l < n; ++l) element.C[k * n + l] = body.rayleigh.stiffness * K[k * n_global + l];
       }

@@ -81,7 +81,7 @@ struct OneElement {
   /// Row-major; empty if the state is inadmissible.
   std::vector<double> tangent(TangentKind kind, const MaterialLaw& law, const std::vector<double>& x) const {
     std::vector<double> r(n), K(n * n);
-    return block.tangent(kind, law, 0, x.data(), r.data(), K.data()) ? K : std::vector<double>{};
+    return block.tangent(kind, best_step(kind), law, 0, x.data(), r.data(), K.data()) ? K : std::vector<double>{};
   }
 };
 
