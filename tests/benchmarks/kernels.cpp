@@ -48,7 +48,7 @@ void element_tangent(benchmark::State& state, const Material& material, TangentK
   Sample one(material);
   const auto law = MaterialLaw::whole(one.material, kind == TangentKind::analytic ? ModuliKind::analytic : ModuliKind::automatic);
   for (auto _ : state) {
-    benchmark::DoNotOptimize(one.element.block.tangent(kind, law, 0, one.x.data(), one.r.data(), one.K.data()));
+    benchmark::DoNotOptimize(one.element.block.tangent(kind, best_step(kind), law, 0, one.x.data(), one.r.data(), one.K.data()));
     benchmark::ClobberMemory();
   }
 }
