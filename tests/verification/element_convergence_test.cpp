@@ -89,8 +89,16 @@ double error(TestScene& s, const std::function<Vec3<double>(const Point&)>& exac
 void expect_order(const ElementCase& of, const std::string& what, const std::string& material, const Formulas& u,
                   const Formulas& t, const std::function<Vec3<double>(const Point&)>& exact) {
   std::vector<double> errors;
-  for (int n : of.order() == 1 ? std::vector<int>{2, 4, 8} : std::vector<int>{1, 2, 4}) {
-    TestScene s(unit_block(of, n, material, u, t));
+  // A constant pressure per hex8 is not stable: on a regular mesh held at its sides there are pressures, the checkerboards among
+  // them, that no free node feels, and the tangent is singular. It takes finer meshes, and nodes that are moved.
+  const bool is_unstable = of.is_mixed() && of.order() == 1;
+  const std::vector<int> sizes = is_unstable       ? std::vector{3, 6, 12}
+                                 : of.order() == 1 ? std::vector{2, 4, 8}
+                                                   : std::vector{1, 2, 4};
+  for (int n : sizes) {
+    TestScene s(unit_block(of, n, material, u, t), world(), [&](Scene& scene) {
+      if (is_unstable) distort_inside(scene.mesh.mesh, 0.2 / n);
+    });
     const auto run = s.march({1});
     ASSERT_TRUE(run.converged) << run.cause;
     errors.push_back(error(s, exact));

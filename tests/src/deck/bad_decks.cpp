@@ -205,7 +205,7 @@ const std::vector<BadDeck> wrong_names{
      recipe,
      recipe + parameter("sise", "Array(double)", "{1, 1, 1}"),
      "4:61: error[D06]",
-     {R"("sise" = "{1, 1, 1}" - unknown parameter; did you mean "size"? allowed: file, sha256, recipe, size, elements, origin, rotation)"}},
+     {R"("sise" = "{1, 1, 1}" - unknown parameter; did you mean "size"? allowed: file, sha256, recipe, size, elements, element type, origin, rotation)"}},
     {"WallInsideOut",
      recipe,
      parameter("recipe", "string", "hollow sphere") + parameter("inner radius", "double", "2") +
