@@ -46,11 +46,11 @@ def row(seconds, counts, reference=None):
             "reference": reference}
 
 
-def google_benchmark(program, repetitions, *options):
+def google_benchmark(program, repetitions, *options, launcher=()):
     """All repetitions of a program's benchmarks: name -> list of Google Benchmark's records. Ends with the first error."""
     with tempfile.TemporaryDirectory() as folder:
         out = pathlib.Path(folder) / "out.json"
-        run([BUILD / program, f"--benchmark_out={out}", "--benchmark_out_format=json", f"--benchmark_repetitions={repetitions}",
+        run([*launcher, BUILD / program, f"--benchmark_out={out}", "--benchmark_out_format=json", f"--benchmark_repetitions={repetitions}",
              *options])
         records = json.loads(out.read_text())["benchmarks"]
     found = {}
@@ -80,6 +80,16 @@ def kernels(quick):
         if reference == "pair_values":
             reference = "pair_values/5"
         rows[name] = row([r["cpu_time"] * UNITS[r["time_unit"]] for r in records], counters(records), reference)
+    return rows
+
+
+def assembly(quick):
+    """Residual and tangent of 100,000 elements on one rank, then on two against one."""
+    rows = {}
+    for ranks in (1, 2):
+        launcher = ("mpiexec", "--oversubscribe", "-n", str(ranks)) if ranks > 1 else ()
+        for name, records in sorted(google_benchmark("bench_assembly", 1 if quick else 5, launcher=launcher).items()):
+            rows[f"{name}/{ranks}"] = row([r["real_time"] * UNITS[r["time_unit"]] for r in records], counters(records), f"{name}/1")
     return rows
 
 
@@ -154,11 +164,11 @@ def print_table(title, rows, baseline):
 
 def main():
     options = arguments()
-    groups = {"kernels": kernels(options.quick), "newton_iteration": newton(options.quick),
+    groups = {"kernels": kernels(options.quick), "assembly": assembly(options.quick), "newton_iteration": newton(options.quick),
               "scenes": scenes(options.quick, options.all)}
     baseline = json.loads(BASELINE.read_text()) if BASELINE.exists() else {}
     print("median of the repetitions; spread = (greatest - least) / median; ratio: to the tangent by hand, to the pair by value,")
-    print("to the Newton iteration of the same refinement, to the whole run")
+    print("to the assembly on one rank, to the Newton iteration of the same refinement, to the whole run")
     for title, rows in groups.items():
         print_table(title, rows, baseline.get(title, {}))
     if options.save:

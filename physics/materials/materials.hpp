@@ -46,4 +46,7 @@ constexpr bool is_incompressible() {
   }
 }
 
+/// Whether the stress is linear in F, so that the moduli are the same at every state.
+inline bool is_linear(const Material& material) { return std::holds_alternative<LinearElastic>(material); }
+
 }  // namespace mortise

@@ -46,6 +46,10 @@ bool BodyTerm::add_tangent(const double* x, double* f, SystemMatrix& K) const {
   return true;
 }
 
+bool BodyTerm::has_constant_tangent() const {
+  return body_.formulation == FormulationKind::standard && is_linear(body_.material);
+}
+
 double BodyTerm::strain_energy(const double* x) const {
   double energy = 0;
   for (const auto& block : blocks_) energy += std::visit([&](const auto& b) { return b.strain_energy(x); }, block);

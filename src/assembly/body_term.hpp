@@ -24,6 +24,9 @@ class BodyTerm {
   /// The same, and K = df_int/dx into the matrix.
   bool add_tangent(const double* x, double* f, SystemMatrix& K) const;
 
+  /// The tangent is the same at every state: elements without unknowns or means of their own, and a stress that is linear in F.
+  bool has_constant_tangent() const;
+
   /// Strain energy of this rank's elements [J].
   double strain_energy(const double* x) const;
 

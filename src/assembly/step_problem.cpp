@@ -138,21 +138,19 @@ double StepProblem::strain_energy(const double* x) const {
   return energy;
 }
 
-void StepProblem::add_springs(const Vector& overlap_x, bool with_tangent, Vector& internal) {
+void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {
   for (const auto& spring : springs_) {
     if (!spring.acts_at(time_)) continue;
     spring.add_force(data(overlap_x), data(internal));
-    if (with_tangent) spring.add_stiffness(*matrix_);
   }
 }
 
-RCP<Vector> StepProblem::damping(const Vector& overlap_x, bool with_tangent) {
+RCP<Vector> StepProblem::damping(const Vector& overlap_x) {
   if (dampings_.empty()) return Teuchos::null;
   Vector velocity(dofs_.overlap_map()), force(dofs_.overlap_map());
   if (dt_ > 0) velocity.update(1 / dt_, overlap_x, -1 / dt_, *start_x_, 0.0);
   for (const auto& term : dampings_) {
     term.add_force(data(velocity), data(force));
-    if (with_tangent && dt_ > 0) term.add_tangent(1 / dt_, *matrix_);
   }
   return owned_sum(force);
 }
@@ -181,7 +179,36 @@ void StepProblem::build_graph() {
   for (auto& term : springs_) term.append_cells(cells);
   for (auto& term : dampings_) term.append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
+  constant_.reset();
   ++counts_.graphs;
+}
+
+// What does not depend on positions is added once, and stays until the graph or what it depends on changes.
+void StepProblem::refresh_constants() {
+  ConstantPart now{dampings_.empty() ? 0.0 : dt_, {}};
+  for (const auto& spring : springs_) now.acting.push_back(spring.acts_at(time_));
+  if (constant_ == now) return;
+  matrix_->clear();
+  bool is_empty = true;
+  Vector unused(dofs_.overlap_map());
+  for (const auto& body : bodies_) {
+    if (!body->has_constant_tangent()) continue;
+    body->add_tangent(data(*to_overlap(*reference_state())), data(unused), *matrix_);
+    counts_.element_tangents += static_cast<long>(body->n_elements());
+    is_empty = false;
+  }
+  for (const auto& spring : springs_)
+    if (spring.acts_at(time_)) {
+      spring.add_stiffness(*matrix_);
+      is_empty = false;
+    }
+  if (dt_ > 0)
+    for (const auto& term : dampings_) {
+      term.add_tangent(1 / dt_, *matrix_);
+      is_empty = false;
+    }
+  if (!is_empty) matrix_->keep_as_constant();
+  constant_ = now;
 }
 
 // Euclidean norm over the rows of positions, of all ranks [N].
@@ -250,18 +277,22 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   const auto overlap_x = to_overlap(x);
   if (!std::isfinite(x.norm2())) return out;
   update_search(x, *overlap_x);
-  if (with_tangent) matrix_->zero();
 
   Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());
   NodalSums sums(dofs_);
   int admissible = 1;
   {
     const Stopwatch watch(counts_.seconds_elements);
+    if (with_tangent) {
+      refresh_constants();
+      matrix_->reset();
+    }
     for (auto& body : bodies_) {
-      const bool good = with_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_)
+      const bool adds_tangent = with_tangent && !body->has_constant_tangent();
+      const bool good = adds_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_)
                                      : body->add_force(data(*overlap_x), data(internal));
       if (!good) admissible = 0;
-      if (with_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
+      if (adds_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
     }
     admissible = all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, admissible);
   }
@@ -272,9 +303,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
     for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), sums);
   }
 
-  add_springs(*overlap_x, with_tangent, internal);
+  add_springs(*overlap_x, internal);
   out.internal = owned_sum(internal);
-  out.damping = damping(*overlap_x, with_tangent);
+  out.damping = damping(*overlap_x);
   out.contact = owned_sum(contact);
   out.external = external(*overlap_x, with_tangent);
   out.gap = owned_sum(sums.weighted_gap);  // weighted until the law divides by the area

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "assembly/damping_term.hpp"
@@ -96,6 +97,7 @@ class StepProblem {
   long graph_number() const { return counts_.graphs; }
 
   const WorkCounts& counts() const { return counts_; }
+  std::size_t matrix_bytes() const { return matrix_ ? matrix_->bytes() : 0; }  ///< on this rank
   /// Goes on counting where another run of the same scene stopped.
   void resume_counts(const WorkCounts& counts, const std::vector<ContactCounts>& of_pairs);
   /// The search now in force; belongs into the state that a step ends in.
@@ -129,9 +131,10 @@ class StepProblem {
   double greatest_motion(const Vector& from, const Vector& to) const;
   double norm_of_forces(const Vector& f) const;
   void build_graph();
+  void refresh_constants();
   void move_supports(const State& from, double t, std::string& fault);
-  void add_springs(const Vector& overlap_x, bool with_tangent, Vector& internal);
-  RCP<Vector> damping(const Vector& overlap_x, bool with_tangent);
+  void add_springs(const Vector& overlap_x, Vector& internal);
+  RCP<Vector> damping(const Vector& overlap_x);
   RCP<Vector> external(const Vector& overlap_x, bool with_tangent);
   RCP<Vector> owned_sum(const Vector& shares) const;
   /// Factors of the derivatives that make up a pressure's row, on the owned map.
@@ -154,7 +157,14 @@ class StepProblem {
   std::vector<DampingTerm> dampings_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
-  RCP<Vector> start_x_;  // overlap positions at the start of the step
+  /// What the constant part of the matrix depends on: the time step if a body is damped, and which springs act.
+  struct ConstantPart {
+    double dt;
+    std::vector<bool> acting;
+    bool operator==(const ConstantPart& other) const { return dt == other.dt && acting == other.acting; }
+  };
+  std::optional<ConstantPart> constant_;  // of the matrix; none: it has to be made
+  RCP<Vector> start_x_;                   // overlap positions at the start of the step
   Search search_;
   RCP<Vector> search_x_;      // its positions on the overlap
   double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves

@@ -18,7 +18,6 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
         if (p != r && coupled(index[p], index[r])) neighbours[index[p]].push_back(index[r]);
 
   const int n_rows = static_cast<int>(dofs.overlap_map()->getNodeNumElements());
-  using LocalMatrix = Matrix::local_matrix_device_type;
   LocalMatrix::row_map_type::non_const_type row_start("row start", n_rows + 1);
   std::vector<std::vector<int>> block_start(points.size());  // offset of each neighbour within a row
   std::size_t n_entries = 0;
@@ -52,66 +51,131 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
         }
     }
   values_ = values;
-  overlap_ = Teuchos::rcp(new Matrix(LocalMatrix("tangent", n_rows, n_rows, n_entries, values, row_start, columns),
-                                     dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map()));
 
   for (const auto& cell : cells) {
-    Scatter s;
     for (int p : cell) {
-      const int a = index[p];
-      s.size.push_back(dofs.size(p));
       const int row = dofs.local(p);
-      s.stride.push_back(static_cast<int>(row_start(row + 1) - row_start(row)));
+      places_.push_back({dofs.size(p), static_cast<int>(row_start(row + 1) - row_start(row))});
       for (int r : cell) {
-        const int b = index[r];
-        const auto found = std::lower_bound(neighbours[a].begin(), neighbours[a].end(), b);
-        const bool here = found != neighbours[a].end() && *found == b;
-        s.start.push_back(here ? static_cast<int>(row_start(row)) + block_start[a][found - neighbours[a].begin()] : -1);
+        const auto& near = neighbours[index[p]];
+        const auto found = std::lower_bound(near.begin(), near.end(), index[r]);
+        const bool here = found != near.end() && *found == index[r];
+        starts_.push_back(here ? static_cast<int>(row_start(row)) + block_start[index[p]][found - near.begin()] : -1);
       }
     }
-    scatter_.push_back(std::move(s));
+    first_.push_back(places_.size());
+    first_start_.push_back(starts_.size());
   }
 
+  const LocalMatrix local("tangent", n_rows, n_rows, n_entries, values, row_start, columns);
   if (dofs.comm()->getSize() > 1) {
-    exporter_ = Teuchos::rcp(new Export(dofs.overlap_map(), dofs.owned_map()));
-    const auto graph = Teuchos::rcp(new Graph(dofs.owned_map(), 0));
-    graph->doExport(*overlap_->getCrsGraph(), *exporter_, Tpetra::INSERT);
-    graph->fillComplete(dofs.owned_map(), dofs.owned_map());
-    owned_ = Teuchos::rcp(new Matrix(graph));
-    owned_->fillComplete(dofs.owned_map(), dofs.owned_map());
+    share_rows(local);
+  } else {
+    overlap_ = Teuchos::rcp(new Matrix(local, dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map()));
   }
 }
 
-void SystemMatrix::zero() { Kokkos::deep_copy(values_, 0.0); }
+// Owned rows come first. Their entries are copied to places known from here on; only the rows behind them pass through an export,
+// which searches.
+void SystemMatrix::share_rows(const LocalMatrix& local) {
+  const RCP<const Map> overlap = dofs_.overlap_map(), owned = dofs_.owned_map();
+  const int n_rows = local.numRows(), n_owned = dofs_.n_owned(), n_ghosts = n_rows - n_owned;
+  const auto row_start = local.graph.row_map;
+  const auto first = row_start(n_owned), end = row_start(n_rows);
 
-void SystemMatrix::add(std::size_t c, const double* K) {
-  const Scatter& s = scatter_[c];
-  const int n = static_cast<int>(s.size.size());
-  double* values = values_.data();
-  int width = 0;
-  for (int size : s.size) width += size;
-  for (int a = 0; a < n; ++a) {
-    for (int i = 0; i < s.size[a]; ++i, K += width) {
-      const double* entry = K;
-      for (int b = 0; b < n; ++b) {
-        const int start = s.start[a * n + b];
-        if (start >= 0) {
-          double* to = values + start + i * s.stride[a];
-          for (int j = 0; j < s.size[b]; ++j) to[j] += entry[j];
-        }
-        entry += s.size[b];
-      }
+  std::vector<GlobalIndex> ghosts;
+  for (int row = n_owned; row < n_rows; ++row) ghosts.push_back(overlap->getGlobalElement(row));
+  const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const RCP<const Map> ghost_map =
+      Teuchos::rcp(new Map(none, Teuchos::ArrayView<const GlobalIndex>(ghosts), overlap->getIndexBase(), dofs_.comm()));
+  LocalMatrix::row_map_type::non_const_type ghost_start("row start of ghosts", n_ghosts + 1);
+  for (int k = 0; k <= n_ghosts; ++k) ghost_start(k) = row_start(n_owned + k) - first;
+  const auto range = std::make_pair(first, end);
+  const LocalMatrix ghost_rows("tangent of ghosts", n_ghosts, n_rows, end - first, Kokkos::subview(local.values, range),
+                               ghost_start, Kokkos::subview(local.graph.entries, range));
+  ghost_ = Teuchos::rcp(new Matrix(ghost_rows, ghost_map, overlap, owned, owned));
+  exporter_ = Teuchos::rcp(new Export(ghost_map, owned));
+
+  const auto graph = Teuchos::rcp(new Graph(owned, 0));
+  {  // the owned rows of this rank, then the shares of the others
+    std::vector<GlobalIndex> columns;
+    for (int row = 0; row < n_owned; ++row) {
+      columns.clear();
+      for (auto k = row_start(row); k < row_start(row + 1); ++k)
+        columns.push_back(overlap->getGlobalElement(local.graph.entries(k)));
+      graph->insertGlobalIndices(owned->getGlobalElement(row), Teuchos::ArrayView<const GlobalIndex>(columns));
+    }
+    graph->doExport(*ghost_->getCrsGraph(), *exporter_, Tpetra::INSERT);
+    graph->fillComplete(owned, owned);
+  }
+  owned_ = Teuchos::rcp(new Matrix(graph));
+  owned_->fillComplete(owned, owned);
+
+  const auto to = owned_->getLocalMatrixHost();
+  const auto columns = owned_->getColMap();
+  place_in_owned_.resize(first);
+  for (int row = 0; row < n_owned; ++row) {
+    const auto begin = &to.graph.entries(0) + to.graph.row_map(row), stop = &to.graph.entries(0) + to.graph.row_map(row + 1);
+    for (auto k = row_start(row); k < row_start(row + 1); ++k) {
+      const int column = columns->getLocalElement(overlap->getGlobalElement(local.graph.entries(k)));
+      place_in_owned_[k] = static_cast<int>(std::lower_bound(begin, stop, column) - &to.graph.entries(0));
     }
   }
+}
+
+void SystemMatrix::reset() {
+  if (constant_.extent(0) > 0) {
+    Kokkos::deep_copy(values_, constant_);
+  } else {
+    Kokkos::deep_copy(values_, 0.0);
+  }
+}
+
+void SystemMatrix::keep_as_constant() {
+  if (constant_.extent(0) == 0) constant_ = decltype(constant_)("constant part", values_.extent(0));
+  Kokkos::deep_copy(constant_, values_);
+}
+
+void SystemMatrix::clear() {
+  constant_ = {};
+  reset();
+}
+
+void SystemMatrix::add(std::size_t c, const double* K) {
+  const Place* places = places_.data() + first_[c];
+  const int* starts = starts_.data() + first_start_[c];
+  const int n = static_cast<int>(first_[c + 1] - first_[c]);
+  double* values = values_.data();
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < places[a].size; ++i)
+      for (int b = 0; b < n; ++b) {
+        if (const int start = starts[a * n + b]; start >= 0) {
+          double* to = values + start + i * places[a].stride;
+          for (int j = 0; j < places[b].size; ++j) to[j] += K[j];
+        }
+        K += places[b].size;
+      }
 }
 
 RCP<Matrix> SystemMatrix::assemble() {
   if (exporter_.is_null()) return overlap_;
   owned_->resumeFill();
   owned_->setAllToScalar(0.0);
-  owned_->doExport(*overlap_, *exporter_, Tpetra::ADD);
+  {
+    const auto to = owned_->getLocalMatrixHost();
+    for (std::size_t k = 0; k < place_in_owned_.size(); ++k) to.values(place_in_owned_[k]) = values_(k);
+  }
+  owned_->doExport(*ghost_, *exporter_, Tpetra::ADD);
   owned_->fillComplete(dofs_.owned_map(), dofs_.owned_map());
   return owned_;
+}
+
+std::size_t SystemMatrix::bytes() const {
+  const std::size_t n_entries = values_.extent(0), n_shared = place_in_owned_.size();
+  const std::size_t entry = sizeof(double) + sizeof(int);
+  return n_entries * entry + constant_.extent(0) * sizeof(double) + diagonal_.size() * (sizeof(int) + sizeof(std::size_t)) +
+         (first_.size() + first_start_.size()) * sizeof(std::size_t) + places_.size() * sizeof(Place) +
+         starts_.size() * sizeof(int) + n_shared * sizeof(int) + (owned_.is_null() ? 0 : owned_->getNodeNumEntries() * entry);
 }
 
 }  // namespace mortise

@@ -48,8 +48,6 @@ class EveryElement : public ::testing::Test {
   }
 };
 
-using Formulations = ::testing::Types<Standard<Hex8>, Standard<Hex20>, Standard<Hex27>, Standard<Tet4>, Standard<Tet10>,
-                                      Standard<Wedge6>, FBar<Hex8>, Enhanced<Hex8>, Mixed<Hex8, 1>, Mixed<Hex27, 4>>;
 TYPED_TEST_SUITE(EveryElement, Formulations);
 
 TYPED_TEST(EveryElement, HasShapeFunctionsThatSumToOneAndBelongToOneNodeEach) {

@@ -1,10 +1,16 @@
 // Elements to test on: distorted, with straight edges, as blocks of one element.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include "assembly/body_term.hpp"
 #include "support/random.hpp"
 
 namespace mortise::test {
+
+/// All formulations on all elements that have them.
+using Formulations = ::testing::Types<Standard<Hex8>, Standard<Hex20>, Standard<Hex27>, Standard<Tet4>, Standard<Tet10>,
+                                      Standard<Wedge6>, FBar<Hex8>, Enhanced<Hex8>, Mixed<Hex8, 1>, Mixed<Hex27, 4>>;
 
 /// The linear element with the same corners.
 template <class Element>

@@ -1,0 +1,143 @@
+// Assembly of 100,000 elements on as many ranks as the program is started on: residual, and residual with the sparse tangent.
+#include <benchmark/benchmark.h>
+#include <mpi.h>
+#include <unistd.h>
+
+#include <Tpetra_Core.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "setup.hpp"
+
+namespace {
+
+using namespace mortise;
+
+/// A neo-Hookean block of 50 x 50 x 40 hex8 that stands on a plate and is pulled at its top.
+constexpr const char* deck_text = R"deck(<ParameterList name="assembly">
+  <ParameterList name="meshes"><ParameterList name="block">
+    <Parameter name="recipe"   type="string"        value="block"/>
+    <Parameter name="size"     type="Array(double)" value="{50, 50, 40}"/>
+    <Parameter name="elements" type="Array(int)"    value="{50, 50, 40}"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="materials"><ParameterList name="rubber">
+    <Parameter name="model"          type="string" value="neo-hookean"/>
+    <Parameter name="youngs modulus" type="double" value="1e6"/>
+    <Parameter name="poissons ratio" type="double" value="0.3"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="bodies"><ParameterList name="block">
+    <Parameter name="mesh"     type="string" value="block"/>
+    <Parameter name="material" type="string" value="rubber"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="supports">
+    <ParameterList name="foot">
+      <Parameter name="set" type="string" value="block/bottom"/>
+      <Parameter name="x"   type="string" value="0"/>
+      <Parameter name="y"   type="string" value="0"/>
+      <Parameter name="z"   type="string" value="0"/>
+    </ParameterList>
+    <ParameterList name="head">
+      <Parameter name="set" type="string" value="block/top"/>
+      <Parameter name="z"   type="string" value="t"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="time">
+    <Parameter name="end"  type="double" value="1"/>
+    <Parameter name="step" type="double" value="1"/>
+  </ParameterList>
+</ParameterList>)deck";
+
+Deck read_deck() {
+  const auto file = std::filesystem::temp_directory_path() / ("mortise_assembly_" + std::to_string(getpid()) + ".xml");
+  std::ofstream(file) << deck_text;
+  Deck deck = Deck::read(file);
+  std::filesystem::remove(file);
+  return deck;
+}
+
+/// The scene at the start of its step, the graph made.
+struct Started {
+  Setup setup;
+  State state;
+  RCP<Matrix> K;
+
+  Started() : setup(read_deck(), Tpetra::getDefaultComm()), state(setup.first_state()) {
+    setup.problem.begin_step(state, 1.0);
+    setup.problem.linearise(*state.x, K);
+  }
+};
+
+/// Made once; `main` empties it while Kokkos lives.
+std::unique_ptr<Started> started;
+
+double all_sum(double mine) {
+  double sum = 0;
+  MPI_Allreduce(&mine, &sum, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  return sum;
+}
+
+/// Times `work` on all ranks together: an iteration takes as long as the slowest rank.
+template <class Work>
+void time_together(benchmark::State& state, const Work& work) {
+  if (!started) started = std::make_unique<Started>();
+  for (auto _ : state) {
+    MPI_Barrier(MPI_COMM_WORLD);
+    const double begin = MPI_Wtime();
+    work(*started);
+    double seconds = MPI_Wtime() - begin;
+    MPI_Allreduce(MPI_IN_PLACE, &seconds, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    state.SetIterationTime(seconds);
+  }
+  double elements = 0, element_bytes = 0;
+  for (const auto& body : started->setup.problem.bodies()) {
+    elements += static_cast<double>(body->n_elements());
+    element_bytes += static_cast<double>(body->bytes());
+  }
+  elements = all_sum(elements);
+  state.counters["elements"] = elements;
+  state.counters["unknowns"] = static_cast<double>(started->state.x->getGlobalLength());
+  state.counters["element_bytes"] = all_sum(element_bytes) / elements;
+  state.counters["matrix_bytes"] = all_sum(static_cast<double>(started->setup.problem.matrix_bytes())) / elements;
+}
+
+void assembly_residual(benchmark::State& state) {
+  time_together(state, [](Started& at) { benchmark::DoNotOptimize(at.setup.problem.evaluate(*at.state.x).admissible); });
+}
+
+void assembly_tangent(benchmark::State& state) {
+  time_together(state, [](Started& at) { benchmark::DoNotOptimize(at.setup.problem.linearise(*at.state.x, at.K).admissible); });
+}
+
+// A fixed number of iterations, so that all ranks do the same.
+BENCHMARK(assembly_residual)->Iterations(3)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(assembly_tangent)->Iterations(3)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+/// Rank 0 reports for all.
+class NoReport : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>&) override {}
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Tpetra::ScopeGuard mpi(&argc, &argv);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  if (rank == 0) {
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+  } else {
+    const auto is_of_rank_0 = [](const char* word) { return std::string(word).rfind("--benchmark_out", 0) == 0; };
+    argc = static_cast<int>(std::remove_if(argv + 1, argv + argc, is_of_rank_0) - argv);
+    benchmark::Initialize(&argc, argv);
+    NoReport silent;
+    benchmark::RunSpecifiedBenchmarks(&silent);
+  }
+  started.reset();
+}
