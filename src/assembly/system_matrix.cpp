@@ -97,15 +97,9 @@ void SystemMatrix::share_rows(const LocalMatrix& local) {
   exporter_ = Teuchos::rcp(new Export(ghost_map, owned));
 
   const auto graph = Teuchos::rcp(new Graph(owned, 0));
-  {  // the owned rows of this rank, then the shares of the others
-    std::vector<GlobalIndex> columns;
-    for (int row = 0; row < n_owned; ++row) {
-      columns.clear();
-      for (auto k = row_start(row); k < row_start(row + 1); ++k)
-        columns.push_back(overlap->getGlobalElement(local.graph.entries(k)));
-      graph->insertGlobalIndices(owned->getGlobalElement(row), Teuchos::ArrayView<const GlobalIndex>(columns));
-    }
-    graph->doExport(*ghost_->getCrsGraph(), *exporter_, Tpetra::INSERT);
+  {  // all shares of the owned rows, of this rank and of others
+    const Matrix shares(local, overlap, overlap, overlap, overlap);
+    graph->doExport(*shares.getCrsGraph(), Export(overlap, owned), Tpetra::INSERT);
     graph->fillComplete(owned, owned);
   }
   owned_ = Teuchos::rcp(new Matrix(graph));
