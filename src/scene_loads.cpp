@@ -33,4 +33,9 @@ bool Load::follows() const {
   return std::holds_alternative<forces::SidePressure>(what) || (traction && traction->over_current_area);
 }
 
+const std::vector<Side>& Load::sides() const {
+  const auto* traction = std::get_if<forces::SideTraction>(&what);
+  return traction ? traction->sides : std::get<forces::SidePressure>(what).sides;
+}
+
 }  // namespace mortise

@@ -113,6 +113,8 @@ struct Load {
   Activity activity;
 
   bool follows() const;  ///< it depends on the positions
+  /// Of a traction or pressure.
+  const std::vector<Side>& sides() const;
 };
 
 }  // namespace mortise

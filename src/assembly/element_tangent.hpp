@@ -11,10 +11,10 @@
 
 namespace mortise {
 
-/// Adds r(y) and K = dr/dy, (all x all) row-major, by AD of the whole residual, 24 directions at a time.
+/// Adds r(y) and K = dr/dy, (all x all) row-major, by AD of the whole residual, at most 24 directions at a time.
 template <class Formulation, class Law, class Geometry>
 bool whole_element_tangent(const Law& law, const Geometry& geometry, const double* y, double* r, double* K) {
-  constexpr int n = Count<Formulation>::all, chunk = 24;
+  constexpr int n = Count<Formulation>::all, chunk = n < 24 ? n : 24;
   using Fad = Sacado::Fad::SFad<double, chunk>;
   for (int first = 0; first < n; first += chunk) {
     const int n_seeds = std::min(chunk, n - first);

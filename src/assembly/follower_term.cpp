@@ -1,17 +1,22 @@
 #include "assembly/follower_term.hpp"
 
-#include <Sacado.hpp>
-#include <algorithm>
-
-#include "physics/surface_load.hpp"
+#include "assembly/follower_side.hpp"
 
 namespace mortise {
+namespace {
+
+template <class Kind>
+std::array<double, 3 * Kind::n_nodes> positions(const LocalSide& side, const double* x) {
+  std::array<double, 3 * Kind::n_nodes> y;
+  for (std::size_t k = 0; k < y.size(); ++k) y[k] = x[side.local[k / 3] + k % 3];
+  return y;
+}
+
+}  // namespace
 
 FollowerTerm::FollowerTerm(const Scene& scene, const Load& load, const Partition& partition, const DofSpace& dofs)
     : mesh_(scene.mesh.mesh), load_(load) {
-  const auto* traction = std::get_if<forces::SideTraction>(&load.what);
-  const auto& sides = traction ? traction->sides : std::get<forces::SidePressure>(load.what).sides;
-  sides_ = owned_sides(mesh_, sides, partition, dofs);
+  sides_ = owned_sides(mesh_, load.sides(), partition, dofs);
 }
 
 void FollowerTerm::append_cells(std::vector<Cell>& cells) {
@@ -39,18 +44,8 @@ void FollowerTerm::set_time(double t, std::string& fault) {
   }
 }
 
-template <class Kind, class T>
-void FollowerTerm::add_side_force(const std::array<std::array<T, 3>, Kind::n_nodes>& x, std::size_t side, T* f) const {
-  const Vec3<double>* values = &values_[first_value_[side]];
-  if (std::holds_alternative<forces::SidePressure>(load_.what)) {
-    AtSidePoints<Kind, double> pressure;
-    for (std::size_t g = 0; g < pressure.size(); ++g) pressure[g] = values[g][0];
-    add_pressure_force<Kind>(x, pressure, f);
-  } else {
-    AtSidePoints<Kind, Vec3<double>> traction;
-    std::copy_n(values, traction.size(), traction.begin());
-    add_traction_force<Kind>(x, traction, f);
-  }
+SideLoad FollowerTerm::load_of(std::size_t side) const {
+  return {std::holds_alternative<forces::SidePressure>(load_.what), &values_[first_value_[side]]};
 }
 
 void FollowerTerm::add_force(const double* x, double* f) const {
@@ -58,12 +53,11 @@ void FollowerTerm::add_force(const double* x, double* f) const {
   for (std::size_t s = 0; s < sides_.size(); ++s)
     with_side(static_cast<int>(sides_[s].nodes.size()), [&](auto kind) {
       using Kind = decltype(kind);
-      std::array<std::array<double, 3>, Kind::n_nodes> positions;
-      for (std::size_t a = 0; a < positions.size(); ++a)
-        for (int i = 0; i < 3; ++i) positions[a][i] = x[sides_[s].local[a] + i];
-      double force[3 * Kind::n_nodes] = {};
-      add_side_force<Kind>(positions, s, force);
-      scatter(sides_[s].local, force, f);
+      const auto y = positions<Kind>(sides_[s], x);
+      double r[3 * Kind::n_nodes] = {};
+      FollowerSide<Kind>::add_residual(load_of(s), {}, y.data(), r);
+      for (double& component : r) component = -component;
+      scatter(sides_[s].local, r, f);
     });
 }
 
@@ -71,22 +65,38 @@ void FollowerTerm::add_tangent(const double* x, double* f, SystemMatrix& matrix)
   if (values_.empty()) return;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     with_side(static_cast<int>(sides_[s].nodes.size()), [&](auto kind) {
-      using Kind = decltype(kind);
-      constexpr int n = 3 * Kind::n_nodes;
-      using Fad = Sacado::Fad::SFad<double, n>;
-      std::array<std::array<Fad, 3>, Kind::n_nodes> positions;
-      for (int k = 0; k < n; ++k) positions[k / 3][k % 3] = Fad(n, k, x[sides_[s].local[k / 3] + k % 3]);
-      Fad force_ad[n];
-      for (Fad& component : force_ad) component = 0.0;
-      add_side_force<Kind>(positions, s, force_ad);
-      double force[n], K[n * n];
-      for (int k = 0; k < n; ++k) {
-        force[k] = force_ad[k].val();
-        for (int l = 0; l < n; ++l) K[k * n + l] = -force_ad[k].fastAccessDx(l);
-      }
-      scatter(sides_[s].local, force, f);
+      constexpr int n = 3 * decltype(kind)::n_nodes;
+      double r[n], K[n * n];
+      tangent(TangentKind::whole_element, 0, s, x, r, K);
+      for (double& component : r) component = -component;
+      scatter(sides_[s].local, r, f);
       matrix.add(first_cell_ + s, K);
     });
+}
+
+double FollowerTerm::size(std::size_t side) const {
+  double area = 0;
+  with_side(static_cast<int>(sides_[side].nodes.size()), [&](auto kind) {
+    using Kind = decltype(kind);
+    for (double weight : side_weights<Kind>(reference_positions<Kind>(mesh_, sides_[side]))) area += weight;
+  });
+  return std::sqrt(area);
+}
+
+bool FollowerTerm::tangent(TangentKind way, double relative_step, std::size_t side, const double* x, double* r, double* K) const {
+  bool is_found = true;
+  with_side(static_cast<int>(sides_[side].nodes.size()), [&](auto kind) {
+    using Kind = decltype(kind);
+    constexpr int n = 3 * Kind::n_nodes;
+    std::fill_n(r, n, 0.0);
+    std::fill_n(K, n * n, 0.0);
+    if (values_.empty()) return;
+    double scale[n];
+    std::fill_n(scale, n, size(side));
+    is_found = element_tangent<FollowerSide<Kind>>(way, relative_step, load_of(side), FollowerSide<Kind>{},
+                                                   positions<Kind>(sides_[side], x).data(), scale, r, K);
+  });
+  return is_found;
 }
 
 }  // namespace mortise

@@ -6,8 +6,11 @@
 
 #include "assembly/side_list.hpp"
 #include "assembly/system_matrix.hpp"
+#include "assembly/tangent_kind.hpp"
 
 namespace mortise {
+
+struct SideLoad;
 
 /// Pressure, or traction of fixed direction, on the sides of elements that this rank owns.
 class FollowerTerm {
@@ -28,9 +31,14 @@ class FollowerTerm {
   /// The same, and -df_ext/dx into the matrix: the term's share of the residual is -f_ext.
   void add_tangent(const double* x, double* f, SystemMatrix& K) const;
 
+  const std::vector<LocalSide>& sides() const { return sides_; }
+  double size(std::size_t side) const;  ///< square root of the reference area [m]
+
+  /// -f_ext [N] of one side and its derivative by any kind; overwrites r and K. Nothing if the load does not act.
+  bool tangent(TangentKind kind, double relative_step, std::size_t side, const double* x, double* r, double* K) const;
+
  private:
-  template <class Kind, class T>
-  void add_side_force(const std::array<std::array<T, 3>, Kind::n_nodes>& x, std::size_t side, T* f) const;
+  SideLoad load_of(std::size_t side) const;
 
   const Mesh& mesh_;
   const Load& load_;

@@ -11,14 +11,15 @@ namespace mortise {
 /// Nodes of a side, and where their unknowns are in the overlap.
 struct LocalSide {
   std::vector<int> nodes, local;
+  int number;  ///< in the list that it was taken from
 };
 
 inline std::vector<LocalSide> owned_sides(const Mesh& mesh, const std::vector<Side>& sides, const Partition& partition,
                                           const DofSpace& dofs) {
   std::vector<LocalSide> owned;
-  for (const Side& side : sides) {
-    if (partition.element_rank[side.element] != dofs.comm()->getRank()) continue;
-    LocalSide one{side_nodes(mesh, side), {}};
+  for (std::size_t s = 0; s < sides.size(); ++s) {
+    if (partition.element_rank[sides[s].element] != dofs.comm()->getRank()) continue;
+    LocalSide one{side_nodes(mesh, sides[s]), {}, static_cast<int>(s)};
     for (int node : one.nodes) one.local.push_back(dofs.local(node));
     owned.push_back(std::move(one));
   }

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::string_view first_line = "mortise checkpoint, format 1\n";
+constexpr std::string_view first_line = "mortise checkpoint, format 2\n";
 constexpr std::string_view any_first_line = "mortise checkpoint, format ";
 constexpr std::string_view file_stem = "checkpoint.";
 

@@ -122,16 +122,4 @@ CheckedTerm checked_facets(const StepProblem& problem, const MortarTerm& term, c
   return checked;
 }
 
-std::vector<CheckedTerm> checked_terms(const StepProblem& problem, const Partition& partition, int most) {
-  std::vector<CheckedTerm> terms;
-  for (const auto& body : problem.bodies())
-    for (ElementType type : element_types) {
-      CheckedTerm term =
-          checked_elements(problem, *body, type, most, [&body](TangentKind kind) { return law_of(body->body(), kind); });
-      if (term.n_pieces > 0) terms.push_back(std::move(term));
-    }
-  for (const auto& pair : problem.pairs()) terms.push_back(checked_facets(problem, *pair, partition, most));
-  return terms;
-}
-
 }  // namespace mortise

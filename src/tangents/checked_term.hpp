@@ -50,7 +50,11 @@ CheckedTerm checked_elements(const StepProblem& problem, const BodyTerm& body, E
 /// The pairs of facets of one contact pair that overlap, by at least a hundredth of the secondary facet.
 CheckedTerm checked_facets(const StepProblem& problem, const MortarTerm& pair, const Partition& partition, int most);
 
-/// All terms of a scene, in the same order on every rank. @param most pieces of a term
+/// The sides of a load that follows the positions, at the last time at which it acts. @throws DeckError for a formula without
+/// value
+CheckedTerm checked_sides(const StepProblem& problem, const Load& load, const Partition& partition, int most);
+
+/// All terms of a scene whose tangents depend on the state, in the same order on every rank. @param most pieces of a term
 std::vector<CheckedTerm> checked_terms(const StepProblem& problem, const Partition& partition, int most);
 
 }  // namespace mortise

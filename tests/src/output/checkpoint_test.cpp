@@ -81,7 +81,7 @@ TEST(CheckpointBytes, AreRefusedWithAnyBitFlippedOrAnyEndMissing) {
 }
 
 TEST(CheckpointBytes, OfAnotherFormatAreNamedAsSuch) {
-  EXPECT_NE(reason_against(with(to_bytes(example()), "format 1", "format 2")).find("another version"), std::string::npos);
+  EXPECT_NE(reason_against(with(to_bytes(example()), "format 2", "format 3")).find("another version"), std::string::npos);
   EXPECT_NE(reason_against("<ParameterList/>").find("no checkpoint"), std::string::npos);
 }
 
