@@ -22,6 +22,21 @@ std::vector<std::string> variables_of(const FieldEntry& entry) {
   return variables;
 }
 
+/// When a field is there, for the reference.
+std::string condition(FieldNeed need) {
+  switch (need) {
+    case FieldNeed::nothing:
+      return "";
+    case FieldNeed::inertia:
+      return " (not in statics)";
+    case FieldNeed::supports:
+      return " (with supports)";
+    case FieldNeed::contact:
+      return " (with contact)";
+  }
+  return "";
+}
+
 }  // namespace
 
 const FieldEntry& entry_of(Field field) {
@@ -83,7 +98,7 @@ std::string help_on_fields() {
   for (const FieldEntry& entry : field_table) {
     const std::string unit = entry.unit[0] == '-' ? "" : fmt::format(" [{}]", entry.unit),
                       help = entry.help[0] == '\0' ? "" : fmt::format(": {}", entry.help);
-    text += fmt::format("{}{}{}{}", text.empty() ? "" : "; ", entry.name, unit, help);
+    text += fmt::format("{}{}{}{}{}", text.empty() ? "" : "; ", entry.name, unit, condition(entry.need), help);
   }
   return text;
 }

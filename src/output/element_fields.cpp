@@ -1,7 +1,6 @@
 #include "output/element_fields.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "assembly/vectors.hpp"
 #include "output/point_fields.hpp"
@@ -29,15 +28,21 @@ std::vector<int> points_of_blocks(const Scene& scene) {
 }
 
 /// What all ranks have, one after the other, on rank 0. Collective.
-std::vector<double> gathered_on_root(const Comm& comm, const std::vector<double>& mine) {
-  const bool is_root = comm.getRank() == 0;
-  const int n = static_cast<int>(mine.size());
-  std::vector<int> counts(comm.getSize()), starts(comm.getSize(), 0);
-  Teuchos::gather(&n, 1, counts.data(), 1, 0, comm);
-  std::partial_sum(counts.begin(), counts.end() - 1, starts.begin() + 1);
-  std::vector<double> all(is_root ? static_cast<std::size_t>(starts.back() + counts.back()) : 0);
-  Teuchos::gatherv(mine.data(), n, all.data(), counts.data(), starts.data(), 0, comm);
-  return all;
+std::vector<double> gathered_on_root(const Comm& comm, std::vector<double> mine) {
+  std::vector<int> counts(comm.getSize(), 0);
+  counts[comm.getRank()] = static_cast<int>(mine.size());
+  all_reduce(comm, Teuchos::REDUCE_SUM, counts);
+  if (comm.getRank() != 0) {
+    if (!mine.empty()) Teuchos::send(comm, counts[comm.getRank()], mine.data(), 0);
+    return {};
+  }
+  for (int rank = 1; rank < comm.getSize(); ++rank) {
+    if (counts[rank] == 0) continue;
+    const std::size_t first = mine.size();
+    mine.resize(first + static_cast<std::size_t>(counts[rank]));
+    Teuchos::receive(comm, rank, counts[rank], mine.data() + first);
+  }
+  return mine;
 }
 
 }  // namespace
@@ -67,7 +72,7 @@ std::vector<std::vector<double>> ElementFields::values(const StepProblem& proble
         mine.insert(mine.end(), values.begin(), values.begin() + static_cast<long>(suffixes(entry_of(field).shape).size()));
       }
     });
-  const std::vector<double> all = gathered_on_root(*problem.dofs().comm(), mine);
+  const std::vector<double> all = gathered_on_root(*problem.dofs().comm(), std::move(mine));
   if (problem.dofs().comm()->getRank() != 0) return {};
   const std::size_t n = static_cast<std::size_t>(n_elements(problem.scene().mesh.mesh));
   std::vector<std::vector<double>> variables(variables_.names.size(), std::vector<double>(n, 0.0));
