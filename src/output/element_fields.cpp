@@ -50,7 +50,10 @@ std::vector<double> gathered_on_root(const Comm& comm, std::vector<double> mine)
 ElementFields::ElementFields(const Scene& scene, std::vector<Field> fields) : fields_(std::move(fields)) {
   const std::vector<int> points = points_of_blocks(scene);
   const int most = points.empty() ? 0 : *std::max_element(points.begin(), points.end());
-  for (Field field : fields_) n_components_ += suffixes(entry_of(field).shape).size();
+  for (Field field : fields_) {
+    counts_.push_back(suffixes(entry_of(field).shape).size());
+    n_components_ += counts_.back();
+  }
   for (int g = 0; g < most; ++g)
     for (Field field : fields_)
       for (const std::string& suffix : suffixes(entry_of(field).shape))
@@ -67,9 +70,9 @@ std::vector<std::vector<double>> ElementFields::values(const StepProblem& proble
     body->sample(data(*x), [&](const PointSample& at) {
       mine.push_back(at.element);
       mine.push_back(at.point);
-      for (Field field : fields_) {
-        const FieldValues values = values_at_point(field, at.state);
-        mine.insert(mine.end(), values.begin(), values.begin() + static_cast<long>(suffixes(entry_of(field).shape).size()));
+      for (std::size_t f = 0; f < fields_.size(); ++f) {
+        const FieldValues values = values_at_point(fields_[f], at.state);
+        mine.insert(mine.end(), values.begin(), values.begin() + static_cast<long>(counts_[f]));
       }
     });
   const std::vector<double> all = gathered_on_root(*problem.dofs().comm(), std::move(mine));

@@ -26,7 +26,8 @@ class ElementFields {
 
  private:
   std::vector<Field> fields_;
-  std::size_t n_components_ = 0;  ///< of all fields together
+  std::vector<std::size_t> counts_;  ///< components of each field
+  std::size_t n_components_ = 0;     ///< of all fields together
   ElementVariables variables_;
 };
 
