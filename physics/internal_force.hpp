@@ -49,20 +49,4 @@ inline void mirror(int m, double* K, int width) {
     for (int c = 0; c < r; ++c) K[r * width + c] = K[c * width + r];
 }
 
-/// Cauchy stress sigma = P F^T / J [Pa].
-inline Tensor3<double> cauchy_stress(const Tensor3<double>& P, const Tensor3<double>& F) {
-  const double J = det(F);
-  Tensor3<double> sigma = times_transpose(P, F);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) sigma(i, j) /= J;
-  return sigma;
-}
-
-/// Von Mises stress sqrt(3/2 s : s) [Pa], s the deviator of sigma.
-inline double von_mises(const Tensor3<double>& sigma) {
-  const double d0 = sigma(0, 0) - sigma(1, 1), d1 = sigma(1, 1) - sigma(2, 2), d2 = sigma(2, 2) - sigma(0, 0);
-  const double shear = sigma(0, 1) * sigma(0, 1) + sigma(1, 2) * sigma(1, 2) + sigma(0, 2) * sigma(0, 2);
-  return std::sqrt(0.5 * (d0 * d0 + d1 * d1 + d2 * d2) + 3 * shear);
-}
-
 }  // namespace mortise

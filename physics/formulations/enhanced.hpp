@@ -104,7 +104,7 @@ struct Enhanced {
   template <class Law>
   static PointState point(const Law& law, const Geometry& geometry, int g, const double* y) {
     const Tensor3<double> F = enhanced(geometry, g, y);
-    return {F, law.first_piola(F)};
+    return {F, law.first_piola(F), law.strain_energy(F)};
   }
 
  private:

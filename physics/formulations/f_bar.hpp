@@ -109,7 +109,7 @@ struct FBar {
     Points<double> points;
     kinematics(geometry, y, points);
     const Tensor3<double> F_bar = scaled(points.scale[g], points.F[g]);
-    return {F_bar, law.first_piola(F_bar)};
+    return {F_bar, law.first_piola(F_bar), law.strain_energy(F_bar)};
   }
 
  private:

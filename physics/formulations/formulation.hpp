@@ -7,7 +7,8 @@
 //   add_residual(law, geometry, y, r)     the residual, once, over any scalar;  y = [positions, pressures, local unknowns]
 //   add_tangent(law, geometry, y, r, K)   the same with K = dr/dy from stress and moduli at the quadrature points
 //   strain_energy(law, geometry, y)       [J]
-//   point(law, geometry, g, y)            deformation gradient and first Piola stress at a quadrature point, for output
+//   point(law, geometry, g, y)            deformation gradient, first Piola stress and energy density at a quadrature point, for
+//                                         output; the energy densities add up to strain_energy
 // All but `geometry` add to what is there. Residuals and tangents return false for an inadmissible state (det F <= 0).
 // A law is a material, or what calls one:  strain_energy(F), first_piola(F) over any scalar, and moduli(F, P, A) with
 // A[3 i + J][3 k + L] = dP_iJ/dF_kL; the mixed element also asks for volumetric_compliance().
@@ -27,9 +28,11 @@ struct Count {
   static constexpr int all = global + Formulation::n_local;
 };
 
-/// Deformation gradient and first Piola-Kirchhoff stress [Pa] at a quadrature point.
+/// What an element's quadrature point knows of itself.
 struct PointState {
-  Tensor3<double> F, P;
+  Tensor3<double> F;     ///< deformation gradient that the material sees [-]
+  Tensor3<double> P;     ///< first Piola-Kirchhoff stress, with the pressure of a mixed element [Pa]
+  double strain_energy;  ///< per reference volume, with that of the pressure [J/m^3]
 };
 
 }  // namespace mortise

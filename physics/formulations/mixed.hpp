@@ -100,26 +100,28 @@ struct Mixed {
   template <class Law>
   static double strain_energy(const Law& law, const Geometry& geometry, const double* y) {
     double energy = 0;
-    for (int g = 0; g < Geometry::n_points; ++g) {
-      const double p = pressure(geometry, g, y);
-      energy += geometry.JxW[g] *
-                (law.strain_energy(deformation_gradient(geometry.grad_N[g], y)) + 0.5 * law.volumetric_compliance() * p * p);
-    }
+    for (int g = 0; g < Geometry::n_points; ++g)
+      energy += geometry.JxW[g] * energy_density(law, deformation_gradient(geometry.grad_N[g], y), pressure(geometry, g, y));
     return energy;
   }
 
   template <class Law>
   static PointState point(const Law& law, const Geometry& geometry, int g, const double* y) {
-    PointState at{deformation_gradient(geometry.grad_N[g], y), {}};
-    at.P = law.first_piola(at.F);
-    const Tensor3<double> cof = cofactor(at.F);
+    const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], y), cof = cofactor(F);
     const double p = pressure(geometry, g, y);
+    PointState at{F, law.first_piola(F), energy_density(law, F, p)};
     for (int k = 0; k < 9; ++k) at.P(k / 3, k % 3) -= p * cof(k / 3, k % 3);
     return at;
   }
 
  private:
   static constexpr int n_positions = 3 * E::n_nodes;
+
+  /// W_iso + p^2 / (2 kappa) [J/m^3]
+  template <class Law>
+  static double energy_density(const Law& law, const Tensor3<double>& F, double p) {
+    return law.strain_energy(F) + 0.5 * law.volumetric_compliance() * p * p;
+  }
 
   template <class T>
   static T pressure(const Geometry& geometry, int g, const T* y) {

@@ -51,7 +51,7 @@ struct Standard {
   template <class Law>
   static PointState point(const Law& law, const Geometry& geometry, int g, const double* y) {
     const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], y);
-    return {F, law.first_piola(F)};
+    return {F, law.first_piola(F), law.strain_energy(F)};
   }
 };
 

@@ -13,13 +13,12 @@ namespace mortise {
 
 /// The state at one quadrature point, for output.
 struct PointSample {
-  int element;           ///< number over all blocks
-  int point;             ///< of the stiffness rule
-  PointState state;      ///< F, P
-  double strain_energy;  ///< per reference volume [J/m^3]
-  double JxW;            ///< [m^3]
-  const int* nodes;      ///< of the element
-  const double* N;       ///< their shape functions at the point
+  int element;  ///< number over all blocks
+  int point;    ///< of the stiffness rule
+  PointState state;
+  double JxW;        ///< [m^3]
+  const int* nodes;  ///< of the element
+  const double* N;   ///< their shape functions at the point
   int n_nodes;
 };
 
@@ -125,7 +124,7 @@ class ElementBlock {
       for (int g = 0; g < geometry_[e].n_points; ++g) {
         for (int a = 0; a < n_nodes; ++a) N[a] = Element::N(a, Element::stiffness_rule[g].xi);
         const PointState state = Formulation::point(law_, geometry_[e], g, y);
-        take({elements_[e], g, state, law_.strain_energy(state.F), geometry_[e].JxW[g], points_[e].data(), N, n_nodes});
+        take({elements_[e], g, state, geometry_[e].JxW[g], points_[e].data(), N, n_nodes});
       }
     }
   }

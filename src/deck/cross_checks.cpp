@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "deck/field_table.hpp"
 #include "deck/fields.hpp"
 #include "deck/formula.hpp"
 #include "deck/quantities.hpp"
@@ -41,7 +42,9 @@ class CrossChecks {
     check_times();
     check_tables();
     compile_formulas();
-    if (findings_.problems.empty()) check_use();
+    if (!findings_.problems.empty()) return;
+    check_use();
+    check_fields();
   }
 
  private:
@@ -233,6 +236,37 @@ class CrossChecks {
     check_used("meshes", options_.meshes, used_meshes, "is not used by any body");
     check_used("materials", options_.materials, used_materials, "is not used by any body");
     check_used("tables", options_.tables, used_tables, "is not used by any formula");
+  }
+
+  /// Why the scene does not have a field; empty: it has.
+  std::string lack_of(FieldNeed need) const {
+    switch (need) {
+      case FieldNeed::nothing:
+        return "";
+      case FieldNeed::inertia:
+        return options_.time.scheme == Scheme::static_ ? "nothing has a velocity in a static run" : "";
+      case FieldNeed::supports:
+        return options_.supports.empty() ? "the deck has no supports" : "";
+      case FieldNeed::contact:
+        return options_.contact.empty() ? "the deck has no contact" : "";
+    }
+    return "";
+  }
+
+  /// A field that was asked for must be one that the scene has.
+  void check_field(const FieldEntry& entry, const std::string& word, const std::vector<std::string>& path) {
+    const std::string lack = lack_of(entry.need);
+    if (lack.empty()) return;
+    std::vector<std::string> allowed;
+    for (const FieldEntry& other : field_table)
+      if (lack_of(other.need).empty()) allowed.emplace_back(other.name);
+    report("D19", path, "there is no " + in_quotes(word) + ": " + lack + "; fields of this deck: " + join(allowed));
+  }
+
+  void check_fields() {
+    for (const std::string& name : options_.output.fields) check_field(entry_of(field_named(name)), name, {"output", "fields"});
+    for (const auto& [name, probe] : options_.probes)
+      check_field(entry_of(component_named(probe.quantity).field), probe.quantity, {"probes", name, "quantity"});
   }
 
   template <class Options>

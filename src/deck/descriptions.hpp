@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "deck/bounds.hpp"
+#include "deck/field_table.hpp"
 #include "deck/fields.hpp"
 #include "deck/load_descriptions.hpp"
 #include "deck/material_descriptions.hpp"
@@ -145,8 +146,16 @@ void describe(Fields& f, SolverOptions& o) {
 
 template <class Fields>
 void describe(Fields& f, OutputOptions& o) {
-  f.words("fields", o.fields, {"displacement", "von mises", "cauchy stress", "contact pressure", "gap", "status", "reaction"},
-          "fields written to results.e");
+  f.words(
+      "fields", o.fields, all_field_names(),
+      "values at the nodes, written to results.e as nodal variables. What elements have at their quadrature points is averaged "
+      "over the points of all elements at a node, weighted with volume and the node's shape function (its positive part). "
+      "Tensors in the axes x, y, z. " +
+          help_on_fields());
+  f.words(
+      "element fields", o.element_fields, point_field_names(),
+      "values at the quadrature points, written to results.e as element variables <name>_<component>_<point>, points numbered "
+      "from 1 as in the element's rule; what they are: see \"fields\"");
   f.optional("every", o.every, at_least(1), "-", "a frame is written every so many steps, and at every stop");
 }
 
@@ -160,11 +169,9 @@ void describe(Fields& f, CheckpointOptions& o) {
 template <class Fields>
 void describe(Fields& f, ProbeOptions& o) {
   Choices<std::string> quantities;
-  for (const char* name : {"displacement_x", "displacement_y", "displacement_z", "position_x", "position_y", "position_z",
-                           "von_mises", "contact_pressure", "gap"}) {
-    quantities.emplace_back(name, name);
-  }
-  f.choice("quantity", o.quantity, quantities, Presence::required, "what is followed; its column is <quantity>.<probe>");
+  for (const std::string& variable : all_nodal_variables()) quantities.emplace_back(variable, variable);
+  f.choice("quantity", o.quantity, quantities, Presence::required,
+           "a component of one of the \"fields\" of `output`; its column is <quantity>.<probe>");
   f.required("mesh", o.mesh, anything, "", "name of an entry of `meshes`");
   f.optional("node", o.node, at_least(1), "-", "the node's own number in the mesh");
   f.optional("nearest", o.nearest, anything, "length", "the node nearest to this reference position, as placed");

@@ -84,8 +84,9 @@ struct SolverOptions {
 };
 
 struct OutputOptions {
-  std::vector<std::string> fields{"displacement", "von mises"};
-  int every = 1;  ///< Exodus frames: every n-th accepted step, and every stop
+  std::vector<std::string> fields{"displacement", "von mises"};  ///< at nodes
+  std::vector<std::string> element_fields;                       ///< at quadrature points
+  int every = 1;                                                 ///< Exodus frames: every n-th accepted step, and every stop
 };
 
 /// When a checkpoint is written; one always is where a run begins and where it stops.

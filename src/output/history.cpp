@@ -8,8 +8,10 @@
 #include <sstream>
 
 #include "assembly/vectors.hpp"
+#include "deck/field_table.hpp"
 #include "deck/quantities.hpp"
 #include "output/atomic_file.hpp"
+#include "output/nodal.hpp"
 #include "output/on_root.hpp"
 
 namespace mortise {
@@ -169,9 +171,8 @@ void History::observe(StepProblem& problem, const State& before, const State& no
     const auto force = problem.force_on_secondary(*now.x, k);
     row.insert(row.end(), {force[0], force[1], force[2]});
   }
-  std::array<std::vector<double>, 3> reactions;
-  if (!scene.supports.empty())
-    for (int i = 0; i < 3; ++i) reactions[i] = nodal_quantity(problem, now, at, fmt::format("reaction_{}", "xyz"[i]));
+  std::vector<std::vector<double>> reactions;
+  if (!scene.supports.empty()) reactions = nodal_variables(problem, now, at, variables_of_field("reaction"));
   for (std::size_t s = 0; s < scene.supports.size(); ++s) {
     std::array<double, 3> sum{};
     for (const auto& p : *at.prescribed)
@@ -182,7 +183,10 @@ void History::observe(StepProblem& problem, const State& before, const State& no
   row.insert(row.end(), {0.0, ledger_.strain_energy, 0.0, ledger_.strain_energy, ledger_.external, ledger_.contact,
                          ledger_.closing, ledger_.resegmentation, 0.0, ledger_.damping, ledger_.algorithmic, ledger_.residual,
                          ledger_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
-  for (const auto& probe : scene.probes) row.push_back(nodal_quantity(problem, now, at, probe.quantity)[probe.node]);
+  std::vector<std::string> quantities;
+  for (const auto& probe : scene.probes) quantities.push_back(probe.quantity);
+  const auto followed = nodal_variables(problem, now, at, quantities);
+  for (std::size_t k = 0; k < followed.size(); ++k) row.push_back(followed[k][scene.probes[k].node]);
   const auto& counts = problem.counts();
   row.insert(row.end(), {counts.seconds_search, counts.seconds_contact, counts.seconds_elements, seconds_solve, seconds_output,
                          static_cast<double>(counts.graphs)});

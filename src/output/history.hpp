@@ -52,11 +52,4 @@ class History {
   Ledger ledger_;
 };
 
-/// Nodal values by the names used in decks: von_mises, displacement_x, contact_pressure, ... , on every rank, one value per node.
-/// @throws std::logic_error for a name that the deck reader should not have let through
-std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at, const std::string& name);
-
-/// The nodal variables that a field of the deck stands for, e.g. "displacement" -> displacement_x, _y, _z.
-std::vector<std::string> variables_of_field(const std::string& field);
-
 }  // namespace mortise

@@ -1,39 +1,18 @@
-// Nodal quantities for results and probes.
+#include "output/nodal.hpp"
+
+#include <algorithm>
 #include <array>
+#include <map>
 #include <stdexcept>
 
-#include <Teuchos_CommHelpers.hpp>
-
-#include "output/history.hpp"
+#include "assembly/vectors.hpp"
+#include "output/point_fields.hpp"
 
 namespace mortise {
 namespace {
 
-// Volume-weighted means of the Gauss points' values at the nodes.
-std::vector<double> nodal_stress(const StepProblem& problem, const State& state, int component) {
-  const int n = problem.dofs().n_nodes();
-  std::vector<double> stress(7 * static_cast<std::size_t>(n), 0.0), volume(n, 0.0);
-  const auto x = problem.to_overlap(*state.x);
-  for (const auto& body : problem.bodies())
-    body->sample(x->getData().getRawPtr(), [&](const PointSample& at) {
-      const Tensor3<double> s = cauchy_stress(at.state.P, at.state.F);
-      const double components[7] = {s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0), von_mises(s)};
-      for (int a = 0; a < at.n_nodes; ++a) {
-        const double weight = at.N[a] * at.JxW;
-        for (int k = 0; k < 7; ++k) stress[7 * static_cast<std::size_t>(at.nodes[a]) + k] += weight * components[k];
-        volume[at.nodes[a]] += weight;
-      }
-    });
-  std::vector<double> shares(2 * static_cast<std::size_t>(n)), all(shares.size());
-  for (int a = 0; a < n; ++a) {
-    shares[2 * a] = stress[7 * static_cast<std::size_t>(a) + component];
-    shares[2 * a + 1] = volume[a];
-  }
-  Teuchos::reduceAll(*problem.dofs().comm(), Teuchos::REDUCE_SUM, static_cast<int>(shares.size()), shares.data(), all.data());
-  std::vector<double> values(n);
-  for (int a = 0; a < n; ++a) values[a] = all[2 * a + 1] > 0 ? all[2 * a] / all[2 * a + 1] : 0.0;
-  return values;
-}
+/// A value per component and node.
+using NodalField = std::vector<std::vector<double>>;
 
 std::vector<double> at_secondary_nodes(const StepProblem& problem, const std::vector<double>& unknowns) {
   const int n = problem.dofs().n_nodes();
@@ -44,56 +23,135 @@ std::vector<double> at_secondary_nodes(const StepProblem& problem, const std::ve
   return values;
 }
 
-std::vector<double> component_of(const std::vector<double>& unknowns, int n, int axis) {
-  std::vector<double> values(n);
-  for (int a = 0; a < n; ++a) values[a] = unknowns[3 * static_cast<std::size_t>(a) + axis];
+std::vector<double> contact_status(const StepProblem& problem, const Evaluation& at) {
+  std::vector<double> values(problem.dofs().n_nodes(), 0.0);
+  for (const auto& pair : problem.scene().pairs)
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+      values[pair.secondary_nodes[k]] = at.closed[pair.first_multiplier + k];
+  return values;
+}
+
+NodalField by_axis(const std::vector<double>& unknowns, int n) {
+  NodalField field(3, std::vector<double>(n));
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) field[i][a] = unknowns[3 * static_cast<std::size_t>(a) + i];
+  return field;
+}
+
+NodalField displacement(const StepProblem& problem, const State& state) {
+  const auto& X = problem.scene().mesh.mesh.coordinates;
+  NodalField u = by_axis(problem.gather(*state.x), problem.dofs().n_nodes());
+  for (std::size_t a = 0; a < X.size(); ++a)
+    for (int i = 0; i < 3; ++i) u[i][a] -= X[a][i];
+  return u;
+}
+
+NodalField reaction(const StepProblem& problem, const Evaluation& at) {
+  const int n = problem.dofs().n_nodes();
+  const auto unbalanced = problem.gather(*at.unbalanced);
+  NodalField field(3, std::vector<double>(n, 0.0));
+  for (const auto& p : *at.prescribed) field[p.axis][p.node] = unbalanced[3 * static_cast<std::size_t>(p.node) + p.axis];
+  return field;
+}
+
+/// A field that has values at nodes without an average.
+NodalField field_of_nodes(const StepProblem& problem, const State& state, const Evaluation& at, Field field) {
+  const int n = problem.dofs().n_nodes();
+  switch (field) {
+    case Field::displacement:
+      return displacement(problem, state);
+    case Field::position:
+      return by_axis(problem.gather(*state.x), n);
+    case Field::reaction:
+      return reaction(problem, at);
+    case Field::contact_pressure:
+      return {at_secondary_nodes(problem, problem.gather(*state.x))};
+    case Field::gap:
+      if (problem.scene().pairs.empty()) return {std::vector<double>(n, 0.0)};
+      return {at_secondary_nodes(problem, problem.gather(*at.gap))};
+    case Field::status:
+      return {contact_status(problem, at)};
+    default:  // velocity and acceleration of a static state, which the deck reader refuses
+      throw std::logic_error(std::string("no field \"") + entry_of(field).name + "\" in a static state");
+  }
+}
+
+/// Means at the nodes of several fields of quadrature points.
+std::vector<NodalField> means_at_nodes(const StepProblem& problem, const State& state, const std::vector<Field>& fields) {
+  std::size_t width = 1;  // the sum of weights comes first, then the weighted components of all fields
+  std::vector<std::size_t> first, count;
+  for (Field field : fields) {
+    first.push_back(width);
+    count.push_back(suffixes(entry_of(field).shape).size());
+    width += count.back();
+  }
+  const std::size_t n = static_cast<std::size_t>(problem.dofs().n_nodes());
+  std::vector<double> sums(width * n, 0.0), values(width, 1.0);
+  const auto x = problem.to_overlap(*state.x);
+  for (const auto& body : problem.bodies())
+    body->sample(data(*x), [&](const PointSample& at) {
+      for (std::size_t f = 0; f < fields.size(); ++f) {
+        const FieldValues field = values_at_point(fields[f], at.state);
+        std::copy_n(field.begin(), count[f], values.begin() + static_cast<long>(first[f]));
+      }
+      for (int a = 0; a < at.n_nodes; ++a) {
+        const double weight = std::max(at.N[a], 0.0) * at.JxW;
+        double* sum = &sums[width * static_cast<std::size_t>(at.nodes[a])];
+        for (std::size_t k = 0; k < width; ++k) sum[k] += weight * values[k];
+      }
+    });
+  all_reduce(*problem.dofs().comm(), Teuchos::REDUCE_SUM, sums);
+  std::vector<NodalField> means;
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    NodalField mean(count[f], std::vector<double>(n, 0.0));
+    for (std::size_t a = 0; a < n; ++a)
+      if (const double weight = sums[width * a]; weight > 0)  // a node that no element has keeps 0
+        for (std::size_t c = 0; c < count[f]; ++c) mean[c][a] = sums[width * a + first[f] + c] / weight;
+    means.push_back(std::move(mean));
+  }
+  return means;
+}
+
+NodalField from_mean(Field field, const NodalField& mean) {
+  NodalField values(suffixes(entry_of(field).shape).size(), std::vector<double>(mean[0].size()));
+  for (std::size_t a = 0; a < mean[0].size(); ++a) {
+    FieldValues at{};
+    for (std::size_t c = 0; c < mean.size(); ++c) at[c] = mean[c][a];
+    const FieldValues found = values_of_mean(field, at);
+    for (std::size_t c = 0; c < values.size(); ++c) values[c][a] = found[c];
+  }
   return values;
 }
 
 }  // namespace
 
-std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at,
-                                   const std::string& name) {
-  const int n = problem.dofs().n_nodes();
-  const Scene& scene = problem.scene();
-  constexpr std::array<const char*, 7> stresses{"stress_xx", "stress_yy", "stress_zz", "stress_xy",
-                                                "stress_yz", "stress_zx", "von_mises"};
-  for (int c = 0; c < 7; ++c)
-    if (name == stresses[c]) return nodal_stress(problem, state, c);
-  const int axis = name.back() - 'x';
-  const bool has_axis = name.size() > 2 && name[name.size() - 2] == '_' && axis >= 0 && axis < 3;
-  if (has_axis && (name.rfind("displacement_", 0) == 0 || name.rfind("position_", 0) == 0)) {
-    auto values = component_of(problem.gather(*state.x), n, axis);
-    if (name[0] == 'd')
-      for (int a = 0; a < n; ++a) values[a] -= scene.mesh.mesh.coordinates[a][axis];
-    return values;
+std::vector<std::vector<double>> nodal_variables(const StepProblem& problem, const State& state, const Evaluation& at,
+                                                 const std::vector<std::string>& names) {
+  std::vector<FieldComponent> components;
+  std::map<Field, NodalField> fields, means;
+  for (const std::string& name : names) {
+    components.push_back(component_named(name));
+    const Field field = components.back().field;
+    fields[field];
+    if (entry_of(field).place == FieldPlace::point) means[averaged_field(field)];
   }
-  if (has_axis && name.rfind("reaction_", 0) == 0) {
-    const auto unbalanced = problem.gather(*at.unbalanced);
-    std::vector<double> values(n, 0.0);
-    for (const auto& p : *at.prescribed)
-      if (p.axis == axis) values[p.node] = unbalanced[3 * static_cast<std::size_t>(p.node) + axis];
-    return values;
+  if (!means.empty()) {
+    std::vector<Field> averaged;
+    for (const auto& mean : means) averaged.push_back(mean.first);
+    std::vector<NodalField> found = means_at_nodes(problem, state, averaged);
+    for (std::size_t f = 0; f < averaged.size(); ++f) means[averaged[f]] = std::move(found[f]);
   }
-  if (name == "contact_pressure") return at_secondary_nodes(problem, problem.gather(*state.x));
-  if (name == "gap")
-    return scene.pairs.empty() ? std::vector<double>(n, 0.0) : at_secondary_nodes(problem, problem.gather(*at.gap));
-  if (name == "status") {
-    std::vector<double> values(n, 0.0);
-    for (const auto& pair : scene.pairs)
-      for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
-        values[pair.secondary_nodes[k]] = at.closed[pair.first_multiplier + k];
-    return values;
-  }
-  throw std::logic_error("no nodal quantity \"" + name + "\"");
+  for (auto& [field, values] : fields)
+    values = entry_of(field).place == FieldPlace::point ? from_mean(field, means[averaged_field(field)])
+                                                        : field_of_nodes(problem, state, at, field);
+  std::vector<std::vector<double>> variables;
+  for (const FieldComponent& one : components) variables.push_back(fields[one.field][one.component]);
+  return variables;
 }
 
-std::vector<std::string> variables_of_field(const std::string& field) {
-  if (field == "displacement" || field == "reaction") return {field + "_x", field + "_y", field + "_z"};
-  if (field == "von mises") return {"von_mises"};
-  if (field == "cauchy stress") return {"stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx"};
-  if (field == "contact pressure") return {"contact_pressure"};
-  return {field};
+std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at,
+                                   const std::string& name) {
+  return nodal_variables(problem, state, at, {name}).front();
 }
 
 }  // namespace mortise

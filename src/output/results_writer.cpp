@@ -1,25 +1,37 @@
 #include "output/results_writer.hpp"
 
+#include "output/nodal.hpp"
 #include "output/on_root.hpp"
 
 namespace mortise {
+namespace {
 
-ResultsWriter::ResultsWriter(const StepProblem& problem, const History& history, const std::filesystem::path& file,
-                             int n_frames) {
+std::vector<Field> fields_named(const std::vector<std::string>& names) {
+  std::vector<Field> fields;
+  for (const std::string& name : names) fields.push_back(field_named(name));
+  return fields;
+}
+
+}  // namespace
+
+ResultsWriter::ResultsWriter(const StepProblem& problem, const History& history, const std::filesystem::path& file, int n_frames)
+    : elements_(problem.scene(), fields_named(problem.scene().output.element_fields)) {
   const Scene& scene = problem.scene();
   for (const auto& field : scene.output.fields)
     for (const auto& variable : variables_of_field(field)) nodal_.push_back(variable);
+  std::vector<std::string> global;
   for (std::size_t c = 0; c < history.columns().size(); ++c) {
     const std::string& name = history.columns()[c];
     if (name == "step" || name == "time" || name.rfind("seconds", 0) == 0) continue;
-    global_.push_back(name);
+    global.push_back(name);
     columns_.push_back(c);
   }
+  const ResultsVariables variables{nodal_, global, elements_.variables()};
   on_root(*problem.dofs().comm(), [&] {
     if (n_frames > 0 && std::filesystem::exists(file))
-      file_.emplace(file, scene.mesh.mesh, n_frames, nodal_, global_);
+      file_.emplace(file, scene.mesh.mesh, n_frames, variables);
     else
-      file_.emplace(file, scene.mesh.mesh, scene.title, nodal_, global_);
+      file_.emplace(file, scene.mesh.mesh, scene.title, variables);
   });
 }
 
@@ -40,11 +52,9 @@ void ResultsWriter::write_last(const StepProblem& problem, const History& histor
 
 void ResultsWriter::write(const StepProblem& problem, const State& now, const Evaluation& at, const History& history) {
   left_out_.reset();
-  std::vector<std::vector<double>> fields;
-  for (const auto& name : nodal_) fields.push_back(nodal_quantity(problem, now, at, name));
-  std::vector<double> globals;
-  for (std::size_t c : columns_) globals.push_back(history.rows().back()[c]);
-  on_root(*problem.dofs().comm(), [&] { file_->write(now.time, fields, globals); });
+  ResultsFrame frame{nodal_variables(problem, now, at, nodal_), {}, elements_.values(problem, now)};
+  for (std::size_t c : columns_) frame.global.push_back(history.rows().back()[c]);
+  on_root(*problem.dofs().comm(), [&] { file_->write(now.time, frame); });
 }
 
 }  // namespace mortise

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "output/element_fields.hpp"
 #include "output/history.hpp"
 #include "output/results.hpp"
 
@@ -30,8 +31,9 @@ class ResultsWriter {
  private:
   void write(const StepProblem& problem, const State& now, const Evaluation& at, const History& history);
 
-  std::vector<std::string> nodal_, global_;
-  std::vector<std::size_t> columns_;
+  std::vector<std::string> nodal_;
+  ElementFields elements_;
+  std::vector<std::size_t> columns_;  // of the history: the global variables
   std::optional<ResultsFile> file_;
   std::optional<std::pair<State, Evaluation>> left_out_;  // the last accepted step, while it is not in the file
 };
