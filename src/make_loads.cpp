@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "deck/names.hpp"
 #include "physics/traction.hpp"
 #include "prescribed_motion.hpp"
 
@@ -88,6 +89,18 @@ class MotionMaker {
   const std::string& set_;
 };
 
+/// The supports of bodies in plane strain: each holds z of all nodes of its body, always. They come after those of the deck, to
+/// which the reactions of nodes that both hold belong.
+void hold_plane_bodies(const DeckNames& names, Scene& scene) {
+  for (const Body& body : scene.bodies) {
+    if (body.kinematics != Kinematics::plane_strain) continue;
+    Support support{plane_strain_support(body.name), "plane strain", motions::Symmetry{2}, {}, {}};
+    support.where_contradicting.fill(names.deck().error("D21", {"bodies", body.name, "kinematics"}, ""));
+    for (int node : body.nodes) scene.prescribed.push_back({node, 2, static_cast<int>(scene.supports.size())});
+    scene.supports.push_back(std::move(support));
+  }
+}
+
 class LoadMaker {
  public:
   LoadMaker(const DeckNames& names, const Scene& scene, const std::string& name)
@@ -141,6 +154,7 @@ void make_supports(const DeckNames& names, Scene& scene) {
         if (support.holds(i)) scene.prescribed.push_back({node, i, static_cast<int>(scene.supports.size())});
     scene.supports.push_back(std::move(support));
   }
+  hold_plane_bodies(names, scene);
   std::sort(scene.prescribed.begin(), scene.prescribed.end(), [](const PrescribedDof& a, const PrescribedDof& b) {
     return std::tie(a.node, a.axis, a.support) < std::tie(b.node, b.axis, b.support);
   });

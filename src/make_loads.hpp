@@ -6,7 +6,8 @@
 
 namespace mortise {
 
-/// Fills `supports` and `prescribed` of a scene whose mesh stands.
+/// Fills `supports` and `prescribed` of a scene whose mesh and bodies stand: those of the deck, then those of bodies in plane
+/// strain.
 void make_supports(const DeckNames& names, Scene& scene);
 
 /// Fills `springs`.

@@ -35,6 +35,14 @@ double element_volume(const Mesh& mesh, int e) {
   });
 }
 
+/// The modulus [Pa] that makes stress of the round-off of positions: changes of volume meet the bulk modulus, which is far above
+/// Young's where a material can hardly be compressed, unless a pressure of its own takes its place.
+double stiffest_modulus(const Body& body) {
+  const Moduli moduli = small_strain_moduli(body.material);
+  return body.formulation == FormulationKind::mixed ? moduli.youngs_modulus()
+                                                    : std::max(moduli.youngs_modulus(), moduli.bulk_modulus());
+}
+
 /// Makes the scene part by part; errors are gathered so that the user sees them together.
 class SceneMaker {
  public:
@@ -123,6 +131,7 @@ class SceneMaker {
                 material,
                 o.formulation,
                 o.tangent,
+                o.kinematics,
                 {},
                 {},
                 small_strain_moduli(material).youngs_modulus(),
@@ -325,7 +334,7 @@ class SceneMaker {
   void set_scales() {
     double modulus = 0, size = 1e300, extent = 0;
     for (const Body& body : scene_.bodies) {
-      modulus = std::max(modulus, body.youngs_modulus);
+      modulus = std::max(modulus, stiffest_modulus(body));
       size = std::min(size, body.size);
     }
     for (const Point& X : scene_.mesh.mesh.coordinates)

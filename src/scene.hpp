@@ -21,6 +21,7 @@ struct Body {
   Material material;
   FormulationKind formulation;
   TangentKind tangent;
+  Kinematics kinematics;
   std::vector<int> elements;      ///< numbers over all blocks, ascending
   std::vector<int> nodes;         ///< ascending
   double youngs_modulus;          ///< at small strain [Pa], for scales

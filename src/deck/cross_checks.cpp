@@ -9,6 +9,7 @@
 #include "deck/field_table.hpp"
 #include "deck/fields.hpp"
 #include "deck/formula.hpp"
+#include "deck/names.hpp"
 #include "deck/quantities.hpp"
 #include "errors.hpp"
 
@@ -34,6 +35,7 @@ class CrossChecks {
 
   void run() {
     check_bodies();
+    check_plane_bodies();
     check_sets();
     check_loads();
     check_damping();
@@ -87,6 +89,20 @@ class CrossChecks {
       }
     }
     for (const std::string& block : blocks) owners.emplace(block, name);
+  }
+
+  /// The history has one column for each support, those of bodies in plane strain included.
+  void check_plane_bodies() {
+    for (const std::string& name : plane_strain_supports())
+      for (const auto& support : options_.supports)
+        if (support.first == name)
+          report("D11", {"supports", name}, "this is the name of the support that a body's \"kinematics\" makes already");
+  }
+  std::vector<std::string> plane_strain_supports() const {
+    std::vector<std::string> names;
+    for (const auto& [name, body] : options_.bodies)
+      if (body.kinematics == Kinematics::plane_strain) names.push_back(plane_strain_support(name));
+    return names;
   }
 
   void check_set(const std::string& set, const std::vector<std::string>& path) {
@@ -150,7 +166,8 @@ class CrossChecks {
     std::map<std::string, std::vector<std::string>> entries;
     for (const char* axis : {"x", "y", "z"}) {
       entries[std::string("contact_force_") + axis] = names_in(options_.contact);
-      entries[std::string("reaction_") + axis] = names_in(options_.supports);
+      std::vector<std::string>& supports = entries[std::string("reaction_") + axis] = names_in(options_.supports);
+      for (const std::string& name : plane_strain_supports()) supports.push_back(name);
     }
     entries["closure_error"] = names_in(options_.contact);
     for (const auto& [name, probe] : options_.probes) {

@@ -63,9 +63,13 @@ void describe(Fields& f, BodyOptions& o) {
       "the change of volume is the element's mean. enhanced strain (hex8): nine strains of its own per element, good in "
       "bending too. mixed (hex8 with a constant, hex27 with a linear pressure): for materials that are split into distortion "
       "and volume, up to exact incompressibility; needs the direct solver");
-  f.choice("kinematics", o.kinematics,
-           Choices<Kinematics>{{"three-dimensional", Kinematics::three_dimensional}, {"plane strain", Kinematics::plane_strain}},
-           Presence::optional, "plane strain: no node of the body moves in z; its mesh has one layer of elements");
+  f.choice(
+      "kinematics", o.kinematics,
+      Choices<Kinematics>{{"three-dimensional", Kinematics::three_dimensional}, {"plane strain", Kinematics::plane_strain}},
+      Presence::optional,
+      "plane strain: no node of the body moves in z, as if a support \"plane strain of <body>\" held it; what the deck's own "
+      "supports give in z must be 0 too, and the forces there are theirs. The forces that hold z pull at one face and push "
+      "at the other: their sum, reaction_z of that support, is 0 unless loads or other supports act in z");
   f.choice("tangent", o.tangent, tangent_names, Presence::optional,
            "how elements are differentiated: AD of the stress at each quadrature point, moduli derived by hand, AD or complex "
            "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");

@@ -19,6 +19,9 @@ inline const Choices<TangentKind> tangent_names{{"quadrature point", TangentKind
                                     {"forward differences", TangentKind::forward_differences},
                                     {"backward differences", TangentKind::backward_differences}};
 
+/// The name of the support that a body in plane strain makes.
+inline std::string plane_strain_support(const std::string& body) { return "plane strain of " + body; }
+
 /// The word that stands for a value.
 template <class Value>
 const std::string& word_for(const Choices<Value>& choices, Value value) {

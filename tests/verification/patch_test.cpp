@@ -36,6 +36,27 @@ Exact uniaxial(double youngs_modulus, double poissons_ratio, double pressing) {
   return {{}, axial(l), l, pressing / (l * l)};
 }
 
+/// Where f rises through 0, to the last bit.
+template <class Function>
+double root(double low, double high, Function f) {
+  for (double middle = 0.5 * (low + high); low < middle && middle < high; middle = 0.5 * (low + high))
+    (f(middle) < 0 ? low : high) = middle;
+  return low;
+}
+
+// Thesis 3.125 in principal stretches, d = 2 (c1 + 2 c2): P_i = 2 c1 l_i + 2 c2 l_i (I1 - l_i^2) + (2 c (J - 1) J - d) / l_i.
+// Both P_lateral = 0 and what is pressed rise with their stretch.
+Exact mooney_rivlin(double pressing, bool on_current_area) {
+  constexpr double c1 = 176051, c2 = 4332.63, c = 2e6, d = 2 * (c1 + 2 * c2);
+  const auto P = [&](double stretch, double others, double J) {  // others: sum of the squares of the other two
+    return 2 * c1 * stretch + 2 * c2 * stretch * others + (2 * c * (J - 1) * J - d) / stretch;
+  };
+  const auto lateral = [&](double a) { return root(0.5, 2, [&](double l) { return P(l, a * a + l * l, a * l * l); }); };
+  const auto axial_stress = [&](double a, double l) { return P(a, 2 * l * l, a * l * l) / (on_current_area ? l * l : 1); };
+  const double a = root(0.5, 2, [&](double at) { return axial_stress(at, lateral(at)) - pressing; }), l = lateral(a);
+  return {{}, a, l, on_current_area ? pressing : pressing / (l * l)};
+}
+
 struct Case {
   std::string deck;
   Exact exact;
@@ -113,7 +134,9 @@ INSTANTIATE_TEST_SUITE_P(Decks, PatchTest,
                                          Case{"conforming", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
                                          Case{"shifted", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
                                          Case{"rotated", along(uniaxial(1e6, 0.3, -1e4), {0, 1, 0})},
-                                         Case{"inclined", inclined()}),
+                                         Case{"inclined", inclined()},
+                                         Case{"mooney_rivlin_dead", along(mooney_rivlin(-1e5, false), {0, 0, 1})},
+                                         Case{"mooney_rivlin_follower", along(mooney_rivlin(-1e5, true), {0, 0, 1})}),
                          [](const auto& info) { return info.param.deck; });
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "mesh/recipes/brick_directions.hpp"
+
 namespace mortise::recipes {
 
 namespace {
@@ -25,6 +27,23 @@ const Corners& parts_of_brick(ElementType type) {
     default:
       return whole;
   }
+}
+
+/// The parts of each brick. Tetrahedra lie about the diagonal from where all three directions begin to where they end, which cuts
+/// each side from where its two begin: neighbours cut the side between them alike if their directions agree.
+std::vector<Corners> parts_of_bricks(const ElementList& bricks, ElementType type) {
+  const Corners& parts = parts_of_brick(type);
+  std::vector<Corners> of_bricks(bricks.size(), parts);
+  if (parts.size() < 6) return of_bricks;
+  const auto reversed = reversed_directions(bricks);
+  for (std::size_t e = 0; e < bricks.size(); ++e) {
+    const bool is_mirrored = (reversed[e][0] + reversed[e][1] + reversed[e][2]) % 2 == 1;
+    for (auto& part : of_bricks[e]) {
+      for (int& corner : part) corner = reversed_corner(corner, reversed[e]);
+      if (is_mirrored) std::swap(part[1], part[2]);
+    }
+  }
+  return of_bricks;
 }
 
 /// Corners that a node of an element lies in the middle of; the node itself for a corner. From the shape functions of the element
@@ -98,10 +117,11 @@ Mesh with_elements(Mesh hexahedra, ElementType type) {
   Mesh& mesh = hexahedra;
   mesh.blocks.front().elements = ElementList(type);
   Nodes nodes(mesh.coordinates);
-  const Corners& parts = parts_of_brick(type);
+  const auto parts = parts_of_bricks(bricks.blocks.front().elements, type);
   const auto around = surroundings(type);
+  auto parts_here = parts.begin();
   for (const auto& brick : bricks.blocks.front().elements)
-    for (const auto& part : parts) {
+    for (const auto& part : *parts_here++) {
       std::vector<int> element;
       for (const auto& corners : around) {
         std::vector<int> of_mesh;
@@ -111,7 +131,7 @@ Mesh with_elements(Mesh hexahedra, ElementType type) {
       mesh.blocks.front().elements.push_back(element);
     }
 
-  const int n_parts = static_cast<int>(parts.size());
+  const int n_parts = static_cast<int>(parts_of_brick(type).size());
   for (std::size_t s = 0; s < mesh.side_sets.size(); ++s) {
     auto& sides = mesh.side_sets[s].sides;
     sides.clear();

@@ -1,6 +1,4 @@
 // Every recipe: sound, whole, as large as its formula says, its surface named once, the same each time, and refusing bad data.
-#include "mesh/recipes/recipes.hpp"
-
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -10,135 +8,14 @@
 #include "mesh/checks.hpp"
 #include "mesh/exodus.hpp"
 #include "mesh/recipes/cube_direction.hpp"
+#include "recipe_cases.hpp"
 #include "scratch.hpp"
 #include "support/text.hpp"
 
 namespace mortise {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
-
-/// Simpson's rule on n intervals.
-double integral(double from, double to, const std::function<double(double)>& f, int n = 400) {
-  double sum = f(from) + f(to);
-  for (int k = 1; k < n; ++k) sum += (k % 2 == 1 ? 4 : 2) * f(from + (to - from) * k / n);
-  return sum * (to - from) / (3 * n);
-}
-
-// ---- one example of each recipe: data that are refined `times` over, its volume, the areas of its sides -------------------
-
-struct BlockCase {
-  using Kind = recipes::Block;
-  static Kind data(int times) { return {{2, 3, 5}, {times, 2 * times, times}}; }
-  static double volume() { return 30; }
-  static std::map<std::string, double> areas() {
-    return {{"left", 15}, {"right", 15}, {"front", 10}, {"back", 10}, {"bottom", 6}, {"top", 6}};
-  }
-};
-
-struct GradedBlockCase : BlockCase {
-  using Kind = recipes::GradedBlock;
-  static Kind data(int times) { return {{2, 3, 5}, {2 * times, 2 * times, 3 * times}, {2, 1, 0.1}}; }
-};
-
-struct HollowSphereCase {
-  using Kind = recipes::HollowSphere;
-  static Kind data(int times) { return {1.5, 2, {3 * times, times}, 2}; }
-  static double volume() { return 4. / 3 * pi * (8 - 3.375); }
-  static std::map<std::string, double> areas() { return {{"inner", 9 * pi}, {"outer", 16 * pi}}; }
-};
-
-struct TorusCase {
-  using Kind = recipes::Torus;
-  static Kind data(int times) { return {76, 19.5, 24, {13 * times, 5 * times, times}, 0.5}; }
-  static double volume() { return 2 * pi * pi * 76 * (24 * 24 - 19.5 * 19.5); }
-  static std::map<std::string, double> areas() { return {{"inner", 4 * pi * pi * 76 * 19.5}, {"outer", 4 * pi * pi * 76 * 24}}; }
-};
-
-struct CylinderCase {
-  using Kind = recipes::Cylinder;
-  static Kind data(int times) { return {2, 3, {2 * times, times, times}, {0.7, 3}}; }
-  static double volume() { return 12 * pi; }
-  static std::map<std::string, double> areas() { return {{"outer", 12 * pi}, {"bottom", 4 * pi}, {"top", 4 * pi}}; }
-};
-
-struct HollowCylinderCase {
-  using Kind = recipes::HollowCylinder;
-  static Kind data(int times) { return {1, 2, 3, {7 * times, times, 2 * times}, {2, 0.5}}; }
-  static double volume() { return 9 * pi; }
-  static std::map<std::string, double> areas() {
-    return {{"inner", 6 * pi}, {"outer", 12 * pi}, {"bottom", 3 * pi}, {"top", 3 * pi}};
-  }
-};
-
-struct RingSectorCase {
-  using Kind = recipes::RingSector;
-  static Kind data(int times) { return {1, 2, 3, 250, {5 * times, times, times}, {2, 1, 1}}; }
-  static double volume() { return 9 * pi * 250 / 360; }
-  static std::map<std::string, double> areas() {
-    const double share = 250. / 360;
-    return {{"inner", 6 * pi * share},  {"outer", 12 * pi * share}, {"start", 3}, {"end", 3},
-            {"bottom", 3 * pi * share}, {"top", 3 * pi * share}};
-  }
-};
-
-/// The lower face is cut from a block l x w x h by a cylinder of radius R.
-struct CylindricalIndenterCase {
-  static constexpr double l = 2, w = 1, h = 0.9, R = 1.25;
-  using Kind = recipes::CurvedIndenter;
-  static Kind data(int times) { return {{l, w, h}, R, Kind::Shape::cylinder, {3 * times, times, times}, {2, 1, 0.5}}; }
-  static double sagged() { return l * R - (0.5 * l * std::sqrt(R * R - l * l / 4) + R * R * std::asin(0.5 * l / R)); }
-  static double volume() { return w * (l * h - sagged()); }
-  static std::map<std::string, double> areas() {
-    const double side = w * (h - (R - std::sqrt(R * R - l * l / 4))), profile = l * h - sagged();
-    return {
-        {"left", side}, {"right", side}, {"front", profile}, {"back", profile}, {"bottom", 2 * w * R * std::asin(0.5 * l / R)},
-        {"top", l * w}};
-  }
-};
-
-/// The same by a sphere.
-struct SphericalIndenterCase {
-  static constexpr double l = 2, w = 1, h = 0.9, R = 2;
-  using Kind = recipes::CurvedIndenter;
-  static Kind data(int times) { return {{l, w, h}, R, Kind::Shape::sphere, {4 * times, 2 * times, times}, {1, 2, 1}}; }
-  static double sagged(double a, double b) { return R - std::sqrt(R * R - a * a - b * b); }
-  static double over_face(const std::function<double(double, double)>& f) {
-    return integral(-l / 2, l / 2, [&](double a) { return integral(-w / 2, w / 2, [&](double b) { return f(a, b); }); });
-  }
-  static double volume() {
-    return over_face([](double a, double b) { return h - sagged(a, b); });
-  }
-  static std::map<std::string, double> areas() {
-    const double side = integral(-w / 2, w / 2, [](double b) { return h - sagged(l / 2, b); }),
-                 front = integral(-l / 2, l / 2, [](double a) { return h - sagged(a, w / 2); });
-    return {{"left", side},
-            {"right", side},
-            {"front", front},
-            {"back", front},
-            {"bottom", over_face([](double a, double b) { return R / std::sqrt(R * R - a * a - b * b); })},
-            {"top", l * w}};
-  }
-};
-
-struct WedgeCase {
-  using Kind = recipes::Wedge;
-  static Kind data(int times) { return {{4, 1, 2}, -0.25, {2 * times, times, times}, {2, 1, 3}}; }
-  static double volume() { return 6; }
-  static std::map<std::string, double> areas() {
-    return {{"left", 2}, {"right", 1}, {"front", 6}, {"back", 6}, {"bottom", 4}, {"top", 4 * std::hypot(1, 0.25)}};
-  }
-};
-
-using Recipes = testing::Types<BlockCase, GradedBlockCase, HollowSphereCase, TorusCase, CylinderCase, HollowCylinderCase,
-                               RingSectorCase, CylindricalIndenterCase, SphericalIndenterCase, WedgeCase>;
-
 // ---- measures of a mesh -----------------------------------------------------------------------------------------------
-
-const Point& at(const Mesh& mesh, int a) { return mesh.coordinates[static_cast<std::size_t>(a)]; }
-
-double norm(const Point& x) { return std::hypot(x[0], x[1], x[2]); }
-double dot(const Point& x, const Point& y) { return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]; }
 
 /// Volume of a trilinear element: its Jacobian has degree 2 in each direction, which 2 x 2 x 2 Gauss points integrate exactly.
 double exact_volume(const Mesh& mesh, int e) {
@@ -172,15 +49,6 @@ double area(const Mesh& mesh, const SideSet& set) {
   double sum = 0;
   for (const Side& side : set.sides) sum += norm(area_vector(mesh, side));
   return sum;
-}
-
-/// The error must fall by four when elements are halved, or be round-off where the shape is flat.
-void expect_order_2(const std::array<double, 3>& values, double exact, const std::string& what) {
-  std::array<double, 3> error{};
-  for (std::size_t i = 0; i < 3; ++i) error[i] = std::abs(values[i] - exact) / exact;
-  if (error[0] < 1e-13 && error[1] < 1e-13 && error[2] < 1e-13) return;
-  EXPECT_LT(error[2], 0.01) << what;
-  EXPECT_NEAR(std::log2(error[1] / error[2]), 2, 0.1) << what << ": " << error[0] << ", " << error[1] << ", " << error[2];
 }
 
 using Facet = std::vector<int>;
@@ -348,6 +216,39 @@ TEST(Wedge, HasItsTopNodesOnTheInclinedPlane) {
   for (int a : mesh.node_sets.back().nodes) EXPECT_NEAR(at(mesh, a)[2], 2 - 0.25 * at(mesh, a)[0], 4e-16);
 }
 
+constexpr std::array<double, 24> twisted{0,   0, 0, 2, 0.1, 0,   1.8, 1.5, 0.2, -0.1, 1,   0,
+                                         0.3, 0, 1, 2, 0,   1.6, 2,   1.4, 1.1, 0.2,  1.2, 1.3};
+
+// Elements of a graded lattice share out the one trilinear map: between them they have its volume, and its corners.
+TEST(Hexahedron, IsTheTrilinearMapOfItsCornersHoweverItIsDivided) {
+  const Mesh one = make(recipes::Hexahedron{twisted, {1, 1, 1}, {1, 1, 1}}),
+             many = make(recipes::Hexahedron{twisted, {3, 4, 5}, {2, 0.3, 1}});
+  EXPECT_NEAR(exact_volume(many), exact_volume(one), 1e-14);
+  for (std::size_t corner = 0; corner < 8; ++corner) {
+    const Point X{twisted[3 * corner], twisted[3 * corner + 1], twisted[3 * corner + 2]};
+    for (const Mesh& mesh : {one, many}) EXPECT_EQ(std::count(mesh.coordinates.begin(), mesh.coordinates.end(), X), 1) << corner;
+  }
+}
+
+TEST(Hexahedron, WithTheCornersOfABlockIsTheBlock) {
+  const Mesh box = make(recipes::GradedBlock{{1, 1, 1}, {4, 3, 2}, {3, 1, 0.5}}),
+             between_corners = make(recipes::Hexahedron{recipes::Hexahedron{}.corners, {4, 3, 2}, {3, 1, 0.5}});
+  ASSERT_EQ(box.coordinates.size(), between_corners.coordinates.size());
+  EXPECT_TRUE(box.blocks[0].elements == between_corners.blocks[0].elements);
+  for (std::size_t a = 0; a < box.coordinates.size(); ++a)
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(box.coordinates[a][i], between_corners.coordinates[a][i], 4e-16);
+  for (std::size_t s = 0; s < box.side_sets.size(); ++s) EXPECT_EQ(box.node_sets[s].nodes, between_corners.node_sets[s].nodes);
+}
+
+TEST(Hexahedron, BetweenSymmetricCornersIsSymmetric) {
+  const Mesh mesh = make(
+      recipes::Hexahedron{{-2, 0, 0, 2, 0, 0, 1, 3, 0, -1, 3, 0, -2, 0, 1, 2, 0, 1, 1, 3, 1, -1, 3, 1}, {5, 4, 2}, {1, 2, 1}});
+  for (const Point& x : mesh.coordinates) {
+    const auto is_image = [&](const Point& y) { return norm({x[0] + y[0], x[1] - y[1], x[2] - y[2]}) < 1e-15; };
+    EXPECT_EQ(std::count_if(mesh.coordinates.begin(), mesh.coordinates.end(), is_image), 1);
+  }
+}
+
 std::set<Point> images(const Mesh& mesh, const std::function<Point(const Point&)>& mirror) {
   std::set<Point> points;
   for (const Point& x : mesh.coordinates) {
@@ -447,6 +348,21 @@ TEST(Wedge, RefusesASlopeThatLeavesNoHeight) {
                }),
                {"M41", "\"slope\" = -0.25 - must leave the right side a positive height"});
   expect_words(mesh_error_of([] { make(recipes::Wedge{{4, 1, 1}, std::nan(""), {2, 2, 2}, {1, 1, 1}}); }), {"M41", "slope"});
+}
+
+TEST(Hexahedron, RefusesCornersInTheWrongOrderOrWithoutVolume) {
+  const auto with_corners = [](std::array<double, 24> corners) {
+    return [=] { check_mesh(make(recipes::Hexahedron{corners, {2, 2, 2}, {1, 1, 1}})); };
+  };
+  EXPECT_NO_THROW(with_corners(twisted)());
+  std::array<double, 24> clockwise = twisted, flat = twisted, folded = twisted, nowhere = twisted;
+  for (std::size_t k = 0; k < 24; k += 12) std::swap_ranges(&clockwise[k + 3], &clockwise[k + 6], &clockwise[k + 9]);
+  std::copy_n(flat.begin(), 12, &flat[12]);
+  std::swap_ranges(&folded[0], &folded[3], &folded[3]);
+  nowhere[7] = std::nan("");
+  for (const auto& corners : {clockwise, flat, folded})
+    expect_words(mesh_error_of(with_corners(corners)), {"recipe \"hexahedron\"", "M21"});
+  expect_words(mesh_error_of(with_corners(nowhere)), {"recipe \"hexahedron\"", "M16"});
 }
 
 }  // namespace
