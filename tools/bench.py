@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-BUILD = ROOT / "build" / "release"
+BUILD = ROOT / "build" / ("native" if "--native" in sys.argv else "release")
 BASELINE = ROOT / "tests" / "benchmarks" / "baseline.json"
 
 # The kernel that others are compared with; of a whole iteration or run the parts are shares.
@@ -30,7 +30,11 @@ def arguments():
     parser.add_argument("--save", action="store_true", help="put the rows measured into tests/benchmarks/baseline.json; other rows stay")
     parser.add_argument("--quick", action="store_true", help="one repetition, refinement 1 only")
     parser.add_argument("--all", action="store_true", help="the long scenes too")
-    return parser.parse_args()
+    parser.add_argument("--native", action="store_true", help="the kernels alone, of the preset native")
+    options = parser.parse_args()
+    if options.save and options.native:
+        parser.error("the baseline is of the preset release")
+    return options
 
 
 def run(command, **options):
@@ -164,7 +168,8 @@ def print_table(title, rows, baseline):
 
 def main():
     options = arguments()
-    groups = {"kernels": kernels(options.quick), "assembly": assembly(options.quick), "newton_iteration": newton(options.quick),
+    groups = {"kernels": kernels(options.quick)} if options.native else {
+              "kernels": kernels(options.quick), "assembly": assembly(options.quick), "newton_iteration": newton(options.quick),
               "scenes": scenes(options.quick, options.all)}
     baseline = json.loads(BASELINE.read_text()) if BASELINE.exists() else {}
     print("median of the repetitions; spread = (greatest - least) / median; ratio: to the tangent by hand, to the pair by value,")
