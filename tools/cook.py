@@ -1,0 +1,165 @@
+"""Runs Cook's membrane (inputs/cook) over elements and Poisson's ratios, and draws what was found.
+
+Usage: cook.py reference OUT.json                     deflections of Q2P1 on refined meshes, and how far they have converged
+       cook.py study OUT.csv                          deflections of every element
+       cook.py table REFERENCE.json OUT.csv           the study with its errors as Markdown
+       cook.py plot REFERENCE.json OUT.csv PICTURE    the same as a picture; needs python3-matplotlib
+"""
+
+import csv
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+from xml.etree import ElementTree
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+PROGRAM = ROOT / "build" / "release" / "mortise"
+DECK = ROOT / "inputs" / "cook" / "f_bar.xml"  # the others differ by what `deck` changes
+
+RATIOS = ("0.3", "0.49", "0.499", "0.4999", "0.5")
+# Name -> element type, formulation, and one element of it on how many nodes' distances along a side.
+ELEMENTS = {
+    "hex8": ("hex8", "standard", 1),
+    "hex8 f-bar": ("hex8", "f-bar", 1),
+    "hex8 enhanced strain": ("hex8", "enhanced strain", 1),
+    "hex8 mixed": ("hex8", "mixed", 1),
+    "hex20": ("hex20", "standard", 2),
+    "hex27": ("hex27", "standard", 2),
+    "hex27 mixed": ("hex27", "mixed", 2),
+    "tet10": ("tet10", "standard", 2),
+}
+SIDES = (8, 16, 32)  # nodes' distances along a side in the study
+REFINED = "0.4999"   # the Poisson's ratio at which it takes all of them
+REFERENCE_SIDES = (8, 16, 32)  # elements along a side of the reference
+
+
+def deck(element, formulation, ratio, n):
+    """The text of a deck with n elements along each side of the panel."""
+    tree = ElementTree.parse(DECK)
+
+    def entry(path):
+        here = tree.getroot()
+        for name in path.split("/"):
+            here = here.find(f"ParameterList[@name='{name}']")
+        return here
+
+    def put(path, name, kind, value):
+        parameter = entry(path).find(f"Parameter[@name='{name}']")
+        if parameter is None:
+            parameter = ElementTree.SubElement(entry(path), "Parameter", name=name)
+        parameter.set("type", kind)
+        parameter.set("value", value)
+
+    put("meshes/panel", "elements", "Array(int)", f"{{{n}, {n}, 1}}")
+    put("meshes/panel", "element type", "string", element)
+    put("bodies/panel", "formulation", "string", formulation)
+    rubber = entry("materials/rubber")
+    if ratio == "0.5":
+        put("materials/rubber", "model", "string", "neo-hookean incompressible")
+        rubber.remove(rubber.find("Parameter[@name='poissons ratio']"))
+    else:
+        put("materials/rubber", "poissons ratio", "double", ratio)
+    expected = tree.getroot().find("ParameterList[@name='expected']")
+    if expected is not None:
+        tree.getroot().remove(expected)
+    return ElementTree.tostring(tree.getroot(), encoding="unicode")
+
+
+def deflection(text):
+    """Displacement of the tip along y at the end of a run. Ends the tool where the run fails."""
+    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
+                   "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+    with tempfile.TemporaryDirectory() as folder:
+        folder = pathlib.Path(folder)
+        (folder / "deck.xml").write_text(text, encoding="utf-8")
+        done = subprocess.run([PROGRAM, "run", "deck.xml", "-o", "out", "--quiet"], cwd=folder, env=environment, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if done.returncode != 0:
+            sys.exit(f"cook: a run ended with exit code {done.returncode}\n{done.stdout[-2000:]}")
+        with open(folder / "out" / "history.csv", encoding="utf-8", newline="") as stream:
+            return float(list(csv.DictReader(stream))[-1]["displacement_y.tip"])
+
+
+def make_reference(file):
+    values = {}
+    for ratio in RATIOS:
+        found = [deflection(deck("hex27", "mixed", ratio, n)) for n in REFERENCE_SIDES]
+        values[ratio] = {"deflection": found[-1], "change": abs(found[-1] / found[-2] - 1), "deflections": found}
+        print(f"nu = {ratio}: {found}, last change {values[ratio]['change']:.1e}", flush=True)
+    record = {"what": "displacement along y of (48, 52), the middle of the sheared side, of inputs/cook, by hex27 with a linear pressure (Q2P1)",
+              "command": "/usr/bin/python3 tools/cook.py reference inputs/cook/reference.json",
+              "elements along each side": list(REFERENCE_SIDES), "by Poisson's ratio": values}
+    pathlib.Path(file).write_text(json.dumps(record, indent=2) + "\n", encoding="utf-8")
+
+
+def study(file):
+    with open(file, "w", encoding="utf-8", newline="") as stream:
+        table = csv.writer(stream, lineterminator="\n")
+        table.writerow(["element", "poissons_ratio", "distances_per_side", "deflection"])
+        for name, (element, formulation, distances) in ELEMENTS.items():
+            for ratio in RATIOS:
+                if ratio == "0.5" and formulation != "mixed":
+                    continue  # only a pressure of its own holds the volume exactly
+                for side in SIDES if ratio == REFINED else SIDES[-1:]:
+                    table.writerow([name, ratio, side, f"{deflection(deck(element, formulation, ratio, side // distances)):.8f}"])
+                    stream.flush()
+
+
+def rows_of(reference, file):
+    """Rows of the study, with the relative error of each."""
+    exact = json.loads(pathlib.Path(reference).read_text(encoding="utf-8"))["by Poisson's ratio"]
+    with open(file, encoding="utf-8", newline="") as stream:
+        rows = [{"element": row["element"], "ratio": row["poissons_ratio"], "side": int(row["distances_per_side"]),
+                 "deflection": float(row["deflection"])} for row in csv.DictReader(stream)]
+    for row in rows:
+        row["error"] = row["deflection"] / exact[row["ratio"]]["deflection"] - 1
+    return rows
+
+
+def print_table(reference, file):
+    rows = {(row["element"], row["ratio"]): row for row in rows_of(reference, file) if row["side"] == SIDES[-1]}
+    print("| Element | " + " | ".join(f"nu = {ratio}" for ratio in RATIOS) + " |\n|---|" + "---|" * len(RATIOS))
+    for name in ELEMENTS:
+        cells = [rows.get((name, ratio)) for ratio in RATIOS]
+        words = [f"{cell['deflection']:.4f} ({100 * cell['error']:+.2f} %)" if cell else "-" for cell in cells]
+        print(f"| {name} | " + " | ".join(words) + " |")
+
+
+def plot(reference, file, picture):
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    from plots import COLOURS, STYLE
+    rows = rows_of(reference, file)
+    with matplotlib.rc_context(STYLE):
+        figure = Figure(figsize=(8.4, 4.2), dpi=150, layout="constrained")
+        left, right = figure.subplots(1, 2)
+        for k, (name, (_, _, distances)) in enumerate(ELEMENTS.items()):
+            look = {"color": COLOURS[k], "label": name, "marker": "o" if distances == 1 else "s",
+                    "linestyle": "-" if distances == 1 else "--"}
+            refined = [row for row in rows if row["element"] == name and row["ratio"] == REFINED]
+            left.plot([row["side"] for row in refined], [row["deflection"] for row in refined], **look)
+            finest = [row for row in rows if row["element"] == name and row["side"] == SIDES[-1]]
+            right.plot([RATIOS.index(row["ratio"]) for row in finest], [100 * abs(row["error"]) for row in finest], **look)
+        left.set_xscale("log", base=2)
+        left.set_xticks(SIDES, [str(side) for side in SIDES])
+        left.set_xlabel("distances of nodes per side")
+        left.set_ylabel(f"deflection, Poisson's ratio {REFINED}")
+        right.set_yscale("log")
+        right.axhline(1, color="#333333", linewidth=0.8)
+        right.set_xticks(range(len(RATIOS)), RATIOS)
+        right.set_xlabel("Poisson's ratio")
+        right.set_ylabel(f"error of the deflection at {SIDES[-1]} distances per side [%]")
+        figure.legend(*left.get_legend_handles_labels(), loc="outside upper center", ncol=4)
+        figure.savefig(picture, metadata={"Software": None})
+
+
+if __name__ == "__main__":
+    commands = {"reference": (make_reference, 1), "study": (study, 1), "table": (print_table, 2), "plot": (plot, 3)}
+    function, n_words = commands.get(sys.argv[1] if len(sys.argv) > 1 else "", (None, 0))
+    if function is None or len(sys.argv) != 2 + n_words:
+        sys.exit(__doc__)
+    function(*sys.argv[2:])
