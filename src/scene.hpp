@@ -72,7 +72,7 @@ struct Scene {
   OutputOptions output;
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
-  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]
+  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater
   double size;         ///< smallest body element size [m]
 
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
