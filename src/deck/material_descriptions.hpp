@@ -120,7 +120,8 @@ void describe(Fields& f, MaterialOptions& o) {
   f.kind("model", o.model, Presence::required,
          "strain energy W per reference volume; numbers in brackets are equations of the thesis. The incompressible models "
          "need elements with a pressure of their own, the formulation \"mixed\"");
-  f.optional("density", o.density, positive, "mass/length^3", "mass per reference volume; what a body force, and damping by mass, multiply with");
+  f.optional("density", o.density, positive, "mass/length^3",
+             "mass per reference volume; what a body force, and damping by mass, multiply with");
 }
 
 }  // namespace mortise

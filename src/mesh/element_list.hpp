@@ -48,7 +48,8 @@ class ElementList {
   /// The elements from number `begin` to before `end`.
   ElementList part(std::size_t begin, std::size_t end) const {
     ElementList some(type_);
-    some.nodes_.assign(nodes_.begin() + static_cast<long>(begin * n_nodes()), nodes_.begin() + static_cast<long>(end * n_nodes()));
+    some.nodes_.assign(nodes_.begin() + static_cast<long>(begin * n_nodes()),
+                       nodes_.begin() + static_cast<long>(end * n_nodes()));
     return some;
   }
 

@@ -1,12 +1,9 @@
 // Assembly of 100,000 elements on as many ranks as the program is started on: residual, and residual with the sparse tangent.
 #include <benchmark/benchmark.h>
 #include <mpi.h>
-#include <unistd.h>
 
 #include <Tpetra_Core.hpp>
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,55 +14,15 @@ namespace {
 
 using namespace mortise;
 
-/// A neo-Hookean block of 50 x 50 x 40 hex8 that stands on a plate and is pulled at its top.
-constexpr const char* deck_text = R"deck(<ParameterList name="assembly">
-  <ParameterList name="meshes"><ParameterList name="block">
-    <Parameter name="recipe"   type="string"        value="block"/>
-    <Parameter name="size"     type="Array(double)" value="{50, 50, 40}"/>
-    <Parameter name="elements" type="Array(int)"    value="{50, 50, 40}"/>
-  </ParameterList></ParameterList>
-  <ParameterList name="materials"><ParameterList name="rubber">
-    <Parameter name="model"          type="string" value="neo-hookean"/>
-    <Parameter name="youngs modulus" type="double" value="1e6"/>
-    <Parameter name="poissons ratio" type="double" value="0.3"/>
-  </ParameterList></ParameterList>
-  <ParameterList name="bodies"><ParameterList name="block">
-    <Parameter name="mesh"     type="string" value="block"/>
-    <Parameter name="material" type="string" value="rubber"/>
-  </ParameterList></ParameterList>
-  <ParameterList name="supports">
-    <ParameterList name="foot">
-      <Parameter name="set" type="string" value="block/bottom"/>
-      <Parameter name="x"   type="string" value="0"/>
-      <Parameter name="y"   type="string" value="0"/>
-      <Parameter name="z"   type="string" value="0"/>
-    </ParameterList>
-    <ParameterList name="head">
-      <Parameter name="set" type="string" value="block/top"/>
-      <Parameter name="z"   type="string" value="t"/>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="time">
-    <Parameter name="end"  type="double" value="1"/>
-    <Parameter name="step" type="double" value="1"/>
-  </ParameterList>
-</ParameterList>)deck";
-
-Deck read_deck() {
-  const auto file = std::filesystem::temp_directory_path() / ("mortise_assembly_" + std::to_string(getpid()) + ".xml");
-  std::ofstream(file) << deck_text;
-  Deck deck = Deck::read(file);
-  std::filesystem::remove(file);
-  return deck;
-}
-
-/// The scene at the start of its step, the graph made.
+/// The neo-Hookean block of `assembly.xml` at the start of its step, the graph made.
 struct Started {
   Setup setup;
   State state;
   RCP<Matrix> K;
 
-  Started() : setup(read_deck(), Tpetra::getDefaultComm()), state(setup.first_state()) {
+  Started()
+      : setup(Deck::read(MORTISE_SOURCE_DIR "/tests/benchmarks/assembly.xml"), Tpetra::getDefaultComm()),
+        state(setup.first_state()) {
     setup.problem.begin_step(state, 1.0);
     setup.problem.linearise(*state.x, K);
   }

@@ -14,7 +14,7 @@ namespace mortise::test {
 namespace {
 
 template <class Side>
-class EverySide : public testing::Test {
+class LoadOnEverySide : public testing::Test {
  protected:
   static constexpr int n = Side::n_nodes;
   static constexpr bool is_triangle = n == 3 || n == 6;
@@ -92,10 +92,10 @@ class EverySide : public testing::Test {
 };
 
 using Sides = testing::Types<Tri3, Tri6, Quad4, Quad8, Quad9>;
-TYPED_TEST_SUITE(EverySide, Sides);
+TYPED_TEST_SUITE(LoadOnEverySide, Sides);
 
 // A parallelogram with edges u, v has the area vector u x v; a triangle half of it.
-TYPED_TEST(EverySide, FlatSideGetsTractionTimesAreaAndPressureAgainstItsNormal) {
+TYPED_TEST(LoadOnEverySide, FlatSideGetsTractionTimesAreaAndPressureAgainstItsNormal) {
   const Vec3<double> u{2, 0.5, 0}, v{0.3, 1.5, 0.7}, area = (this->is_triangle ? 0.5 : 1.0) * cross(u, v);
   const auto x = this->flat({5, -1, 2}, u, v);
   AtSidePoints<TypeParam, Vec3<double>> t;
@@ -111,7 +111,7 @@ TYPED_TEST(EverySide, FlatSideGetsTractionTimesAreaAndPressureAgainstItsNormal) 
   }
 }
 
-TYPED_TEST(EverySide, DeadLoadIsTheTractionOnTheReferenceSide) {
+TYPED_TEST(LoadOnEverySide, DeadLoadIsTheTractionOnTheReferenceSide) {
   const auto X = this->warped();
   AtSidePoints<TypeParam, Vec3<double>> t;
   t.fill({0, 0, 1});
@@ -124,18 +124,18 @@ TYPED_TEST(EverySide, DeadLoadIsTheTractionOnTheReferenceSide) {
   }
 }
 
-TYPED_TEST(EverySide, TractionTangentIsTheDerivative) {
+TYPED_TEST(LoadOnEverySide, TractionTangentIsTheDerivative) {
   const auto t = this->some_traction();
   EXPECT_TRUE(this->derivative_is_right([&](const auto& x, auto* f) { add_traction_force<TypeParam>(x, t, f); }));
 }
 
-TYPED_TEST(EverySide, PressureTangentIsTheDerivative) {
+TYPED_TEST(LoadOnEverySide, PressureTangentIsTheDerivative) {
   const auto p = this->some_pressure();
   EXPECT_TRUE(this->derivative_is_right([&](const auto& x, auto* f) { add_pressure_force<TypeParam>(x, p, f); }));
 }
 
 // With unit stiffness and a displacement of all nodes by one: the force is the area.
-TYPED_TEST(EverySide, BeddingMatrixIsSymmetricAndSumsToTheArea) {
+TYPED_TEST(LoadOnEverySide, BeddingMatrixIsSymmetricAndSumsToTheArea) {
   const auto X = this->warped();
   const auto S = side_mass_matrix<TypeParam>(X);
   const auto weights = side_weights<TypeParam>(X);

@@ -59,7 +59,9 @@ TEST_P(LockingFree, MeetsTheReferenceNearIncompressibilityAndGetsNoWorseThere) {
     EXPECT_LE(errors[ratio], 0.01) << ratio;
   }
   EXPECT_LE(errors["0.4999"], 1.5 * errors["0.49"]);
-  if (GetParam().formulation == "mixed") EXPECT_LE(std::abs(error(GetParam(), "0.5")), 0.01);
+  if (GetParam().formulation == "mixed") {
+    EXPECT_LE(std::abs(error(GetParam(), "0.5")), 0.01);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Cook, LockingFree,

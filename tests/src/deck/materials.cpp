@@ -106,11 +106,20 @@ TEST(Warnings, TellOfABulkModulusBelowTheShearModulus) {
   EXPECT_EQ(warnings[0],
             "materials > rubber: at small strain the bulk modulus (2000) is below the shear modulus (4225), Poisson's ratio is "
             "-0.12 - are all moduli in the same unit?");
-  EXPECT_TRUE(scene_with(thesis_ogden("2e5")).warnings.empty());
+  EXPECT_TRUE(scene_with(thesis_ogden("2e4")).warnings.empty());
   EXPECT_EQ(scene_with(model("neo-hookean") + number("youngs modulus", "1") + number("poissons ratio", "-0.2")).warnings.size(),
             1U);
   EXPECT_TRUE(scene_with(elastic_parameters).warnings.empty());
   EXPECT_EQ(oddity(NeoHookeanIncompressible{{2}}), "");
+}
+
+TEST(Warnings, TellOfElementsThatLock) {
+  const auto warnings = scene_with(thesis_ogden("2e5")).warnings;
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings[0],
+      "bodies > cube: Poisson's ratio is 0.48951 at small strain, where hex8 elements of \"formulation\" = \"standard\" lock "
+      "(too stiff) - f-bar, enhanced strain, mixed or quadratic ones do less");
 }
 
 TEST(IncompressibleBodies, AreRefusedWhereElementsHaveNoPressure) {
