@@ -115,6 +115,10 @@ void SystemMatrix::share_rows(const LocalMatrix& local) {
       place_in_owned_[k] = static_cast<int>(std::lower_bound(begin, stop, column) - &to.graph.entries(0));
     }
   }
+  std::vector<char> is_hit(owned_->getNodeNumEntries(), 0);
+  for (int place : place_in_owned_) is_hit[place] = 1;
+  for (std::size_t k = 0; k < is_hit.size(); ++k)
+    if (!is_hit[k]) of_others_.push_back(static_cast<int>(k));
 }
 
 void SystemMatrix::reset() {
@@ -154,10 +158,11 @@ void SystemMatrix::add(std::size_t c, const double* K) {
 RCP<Matrix> SystemMatrix::assemble() {
   if (exporter_.is_null()) return overlap_;
   owned_->resumeFill();
-  owned_->setAllToScalar(0.0);
   {
-    const auto to = owned_->getLocalMatrixHost();
-    for (std::size_t k = 0; k < place_in_owned_.size(); ++k) to.values(place_in_owned_[k]) = values_(k);
+    double* to = owned_->getLocalMatrixHost().values.data();
+    const double* from = values_.data();
+    for (int place : of_others_) to[place] = 0;
+    for (std::size_t k = 0; k < place_in_owned_.size(); ++k) to[place_in_owned_[k]] = from[k];
   }
   owned_->doExport(*ghost_, *exporter_, Tpetra::ADD);
   owned_->fillComplete(dofs_.owned_map(), dofs_.owned_map());
@@ -165,7 +170,7 @@ RCP<Matrix> SystemMatrix::assemble() {
 }
 
 std::size_t SystemMatrix::bytes() const {
-  const std::size_t n_entries = values_.extent(0), n_shared = place_in_owned_.size();
+  const std::size_t n_entries = values_.extent(0), n_shared = place_in_owned_.size() + of_others_.size();
   const std::size_t entry = sizeof(double) + sizeof(int);
   return n_entries * entry + constant_.extent(0) * sizeof(double) + diagonal_.size() * (sizeof(int) + sizeof(std::size_t)) +
          (first_.size() + first_start_.size()) * sizeof(std::size_t) + places_.size() * sizeof(Place) +

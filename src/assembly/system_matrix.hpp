@@ -56,6 +56,7 @@ class SystemMatrix {
   // Of several ranks: the rows that others own, the matrix of the owned rows, and where in it each entry of values_ goes.
   RCP<Matrix> ghost_, owned_;
   std::vector<int> place_in_owned_;
+  std::vector<int> of_others_;  // entries of the owned matrix that only other ranks add to
   RCP<const Export> exporter_;
 };
 
