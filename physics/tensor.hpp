@@ -90,6 +90,21 @@ Tensor3<T> cofactor(const Tensor3<T>& F) {
   return c;
 }
 
+/// Tensor cross product (Bonet, Gil & Ortigosa 2015): bilinear, symmetric in A and B, and cof F = F x F / 2, so that
+/// d(cof F) = F x dF  and  (A x B) : C = A : (B x C).
+template <class T>
+Tensor3<T> tensor_cross(const Tensor3<T>& A, const Tensor3<T>& B) {
+  Tensor3<T> c;
+  for (int i = 0; i < 3; ++i) {
+    const int i1 = (i + 1) % 3, i2 = (i + 2) % 3;
+    for (int j = 0; j < 3; ++j) {
+      const int j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      c(i, j) = A(i1, j1) * B(i2, j2) - A(i1, j2) * B(i2, j1) + B(i1, j1) * A(i2, j2) - B(i1, j2) * A(i2, j1);
+    }
+  }
+  return c;
+}
+
 /// F : F, the sum of the squares of the entries; equals tr C for a deformation gradient.
 template <class T>
 T norm_squared(const Tensor3<T>& F) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/formulations/formulation.hpp"
+#include "physics/materials/invariants.hpp"
 
 namespace mortise {
 
@@ -32,7 +33,7 @@ struct FBar {
     }
     const T share = slope / volume(geometry);  // theta is the mean of J, and dJ/dF = cof F
     for (int g = 0; g < n_points; ++g) {
-      for (int k = 0; k < 9; ++k) P[g](k / 3, k % 3) += share * points.cof[g](k / 3, k % 3);
+      add_scaled(P[g], share, points.cof[g]);
       add_divergence(P[g], geometry.grad_N[g], geometry.JxW[g], r);
     }
     return true;
@@ -76,13 +77,7 @@ struct FBar {
     }
     double d_theta[n] = {}, d_slope[n] = {}, c = 0;  // d_slope at held theta
     for (int g = 0; g < n_points; ++g) {
-      const double share = slope / V, J = points.J[g];
-      const Tensor3<double> H = scaled(1 / J, points.cof[g]);
-      for (int k = 0; k < 9; ++k) {
-        at[g].P(k / 3, k % 3) += share * points.cof[g](k / 3, k % 3);
-        for (int l = 0; l < 9; ++l)  // the second derivative of J
-          at[g].A[k][l] += share * J * (H(k / 3, k % 3) * H(l / 3, l % 3) - H(k / 3, l % 3) * H(l / 3, k % 3));
-      }
+      add_moduli_of_volume(points.F[g], slope / V, 0, at[g].P, at[g].A);
       add_divergence(at[g].P, geometry.grad_N[g], geometry.JxW[g], r);
       add_moduli(at[g].A, geometry.grad_N[g], geometry.JxW[g], K, n);
       add_divergence(points.cof[g], geometry.grad_N[g], geometry.JxW[g] / V, d_theta);

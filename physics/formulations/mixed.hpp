@@ -2,6 +2,7 @@
 #pragma once
 
 #include "physics/formulations/formulation.hpp"
+#include "physics/materials/invariants.hpp"
 
 namespace mortise {
 
@@ -55,7 +56,7 @@ struct Mixed {
       const T J = det(F), p = pressure(geometry, g, y);
       if (!(value(J) > 0)) return false;
       Tensor3<T> P = law.first_piola(F);
-      for (int k = 0; k < 9; ++k) P(k / 3, k % 3) -= p * cof(k / 3, k % 3);
+      add_scaled(P, T(-p), cof);
       add_divergence(P, geometry.grad_N[g], geometry.JxW[g], r);
       for (int m = 0; m < n; ++m)
         r[n_positions + m] -= geometry.JxW[g] * geometry.mode[g][m] * (J - 1.0 + law.volumetric_compliance() * p);
@@ -73,14 +74,7 @@ struct Mixed {
       Tensor3<double> P;
       double A[9][9];
       law.moduli(F, P, A);
-      for (int k = 0; k < 9; ++k) {
-        const int i = k / 3, I = k % 3;
-        P(i, I) -= p * cof(i, I);
-        for (int l = 0; l < 9; ++l) {  // the second derivative of J
-          const int j = l / 3, L = l % 3;
-          A[k][l] -= p / J * (cof(i, I) * cof(j, L) - cof(i, L) * cof(j, I));
-        }
-      }
+      add_moduli_of_volume(F, -p, 0, P, A);
       add_divergence(P, geometry.grad_N[g], JxW, r);
       add_moduli(A, geometry.grad_N[g], JxW, K, width);
       double dJ[n_positions] = {};
@@ -107,10 +101,10 @@ struct Mixed {
 
   template <class Law>
   static PointState point(const Law& law, const Geometry& geometry, int g, const double* y) {
-    const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], y), cof = cofactor(F);
+    const Tensor3<double> F = deformation_gradient(geometry.grad_N[g], y);
     const double p = pressure(geometry, g, y);
     PointState at{F, law.first_piola(F), energy_density(law, F, p)};
-    for (int k = 0; k < 9; ++k) at.P(k / 3, k % 3) -= p * cof(k / 3, k % 3);
+    add_scaled(at.P, -p, cofactor(F));
     return at;
   }
 

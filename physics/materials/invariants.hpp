@@ -16,13 +16,11 @@ T second_invariant(const Tensor3<T>& F) {
   return norm_squared(cofactor(F));
 }
 
-/// dI2/dF = 2 (I1 F - F C).
+/// dI2/dF = 2 (I1 F - F C), found as 2 (cof F) x F with half as many products.
 template <class T>
 Tensor3<T> second_invariant_slope(const Tensor3<T>& F) {
-  const T I1 = norm_squared(F);
-  Tensor3<T> slope = F * transpose_times(F, F);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) slope(i, j) = 2.0 * (I1 * F(i, j) - slope(i, j));
+  Tensor3<T> slope = tensor_cross(cofactor(F), F);
+  for (int k = 0; k < 9; ++k) slope(k / 3, k % 3) *= 2.0;
   return slope;
 }
 

@@ -166,7 +166,7 @@ class ElementBlock {
 
   bool differentiate(TangentKind kind, double relative_step, const MaterialLaw& law, std::size_t e, const double* y, double* r,
                      double* K) const {
-    const std::array<double, n_all> scale = scales(e);
+    const std::array<double, n_all> scale = takes_steps(kind) ? scales(e) : std::array<double, n_all>{};
     return element_tangent<Formulation>(kind, relative_step, law, geometry_[e], y, scale.data(), r, K);
   }
 

@@ -58,17 +58,18 @@ bool difference_tangent(const Law& law, const Geometry& geometry, TangentKind ki
   double here[n] = {};
   if (!Formulation::add_residual(law, geometry, y, here)) return false;
   for (int k = 0; k < n; ++k) r[k] += here[k];
-  const double ahead = kind == TangentKind::backward_differences ? 0 : 1,
-               behind = kind == TangentKind::forward_differences ? 0 : 1;
+  const bool looks_ahead = kind != TangentKind::backward_differences, looks_behind = kind != TangentKind::forward_differences;
+  const double steps = looks_ahead && looks_behind ? 2 : 1;
   for (int l = 0; l < n; ++l) {
     const double h = relative_step * scale[l];
     double y_h[n], plus[n] = {}, minus[n] = {};
     std::copy(y, y + n, y_h);
-    y_h[l] = y[l] + ahead * h;
-    if (!Formulation::add_residual(law, geometry, y_h, plus)) return false;
-    y_h[l] = y[l] - behind * h;
-    if (!Formulation::add_residual(law, geometry, y_h, minus)) return false;
-    for (int k = 0; k < n; ++k) K[k * n + l] += (plus[k] - minus[k]) / ((ahead + behind) * h);
+    y_h[l] = y[l] + h;
+    if (looks_ahead && !Formulation::add_residual(law, geometry, y_h, plus)) return false;
+    y_h[l] = y[l] - h;
+    if (looks_behind && !Formulation::add_residual(law, geometry, y_h, minus)) return false;
+    for (int k = 0; k < n; ++k)
+      K[k * n + l] += ((looks_ahead ? plus[k] : here[k]) - (looks_behind ? minus[k] : here[k])) / (steps * h);
   }
   return true;
 }
@@ -81,8 +82,13 @@ inline double best_step(TangentKind kind) {
   return kind == TangentKind::central_differences ? std::cbrt(eps) : std::sqrt(eps);
 }
 
+/// Whether a kind takes steps, whose lengths are relative to scales.
+inline bool takes_steps(TangentKind kind) {
+  return kind != TangentKind::quadrature_point && kind != TangentKind::analytic && kind != TangentKind::whole_element;
+}
+
 /// r and K by any kind; both are added to.
-/// @param relative_step  of complex step and differences  @param scale size of each unknown, for steps
+/// @param relative_step  of kinds that take steps  @param scale size of each unknown; likewise
 /// @return false for an inadmissible state
 template <class Formulation, class Law, class Geometry>
 bool element_tangent(TangentKind kind, double relative_step, const Law& law, const Geometry& geometry, const double* y,

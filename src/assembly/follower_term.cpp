@@ -17,6 +17,13 @@ std::array<double, 3 * Kind::n_nodes> positions(const LocalSide& side, const dou
 FollowerTerm::FollowerTerm(const Scene& scene, const Load& load, const Partition& partition, const DofSpace& dofs)
     : mesh_(scene.mesh.mesh), load_(load) {
   sides_ = owned_sides(mesh_, load.sides(), partition, dofs);
+  for (const LocalSide& side : sides_)
+    with_side(static_cast<int>(side.nodes.size()), [&](auto kind) {
+      using Kind = decltype(kind);
+      double area = 0;
+      for (double weight : side_weights<Kind>(reference_positions<Kind>(mesh_, side))) area += weight;
+      sizes_.push_back(std::sqrt(area));
+    });
 }
 
 void FollowerTerm::append_cells(std::vector<Cell>& cells) {
@@ -72,15 +79,6 @@ void FollowerTerm::add_tangent(const double* x, double* f, SystemMatrix& matrix)
       scatter(sides_[s].local, r, f);
       matrix.add(first_cell_ + s, K);
     });
-}
-
-double FollowerTerm::size(std::size_t side) const {
-  double area = 0;
-  with_side(static_cast<int>(sides_[side].nodes.size()), [&](auto kind) {
-    using Kind = decltype(kind);
-    for (double weight : side_weights<Kind>(reference_positions<Kind>(mesh_, sides_[side]))) area += weight;
-  });
-  return std::sqrt(area);
 }
 
 bool FollowerTerm::tangent(TangentKind way, double relative_step, std::size_t side, const double* x, double* r, double* K) const {

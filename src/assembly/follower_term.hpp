@@ -32,7 +32,7 @@ class FollowerTerm {
   void add_tangent(const double* x, double* f, SystemMatrix& K) const;
 
   const std::vector<LocalSide>& sides() const { return sides_; }
-  double size(std::size_t side) const;  ///< square root of the reference area [m]
+  double size(std::size_t side) const { return sizes_[side]; }  ///< square root of the reference area [m]
 
   /// -f_ext [N] of one side and its derivative by any kind; overwrites r and K. Nothing if the load does not act.
   bool tangent(TangentKind kind, double relative_step, std::size_t side, const double* x, double* r, double* K) const;
@@ -43,6 +43,7 @@ class FollowerTerm {
   const Mesh& mesh_;
   const Load& load_;
   std::vector<LocalSide> sides_;
+  std::vector<double> sizes_;
   std::vector<Vec3<double>> values_;  // at the points of the sides, one side after the other; a pressure is the first component
   std::vector<std::size_t> first_value_;  // of each side
   std::size_t first_cell_ = 0;

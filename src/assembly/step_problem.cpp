@@ -6,8 +6,6 @@
 #include <cmath>
 
 #include "assembly/vectors.hpp"
-#include "errors.hpp"
-#include "prescribed_motion.hpp"
 
 namespace mortise {
 namespace {
@@ -22,19 +20,6 @@ class Stopwatch {
   double& seconds_;
   double start_;
 };
-
-/// The message of the first rank that has one, on all ranks.
-std::string agreed(const Comm& comm, const std::string& fault) {
-  const int none = comm.getSize();
-  const int rank = all_reduced(comm, Teuchos::REDUCE_MIN, fault.empty() ? none : comm.getRank());
-  if (rank == none) return "";
-  std::string message = fault;
-  int size = static_cast<int>(message.size());
-  Teuchos::broadcast(comm, rank, &size);
-  message.resize(static_cast<std::size_t>(size));
-  Teuchos::broadcast(comm, rank, size, message.data());
-  return message;
-}
 
 }  // namespace
 
@@ -83,47 +68,6 @@ void StepProblem::resume_counts(const WorkCounts& counts, const std::vector<Cont
   for (std::size_t k = 0; k < pairs_.size(); ++k) pairs_[k]->resume_counts(of_pairs[k]);
 }
 
-std::string StepProblem::begin_step(const State& from, double t) {
-  std::string fault;
-  time_ = t;
-  dt_ = t - from.time;
-  start_x_ = to_overlap(*from.x);
-  if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
-  move_supports(from, t, fault);
-  if (!dead_loads_.empty()) {
-    Vector shares(dofs_.overlap_map());
-    dead_loads_.add(t, data(shares), fault);
-    dead_ = owned_sum(shares);
-  }
-  for (auto& follower : followers_) follower.set_time(t, fault);
-  return agreed(*dofs_.comm(), fault);
-}
-
-// Formulas are evaluated on every rank, so that most faults are the same on all; where a node was only its owner knows.
-void StepProblem::move_supports(const State& from, double t, std::string& fault) {
-  auto acting = std::make_shared<std::vector<PrescribedDof>>();
-  prescribed_.clear();
-  const double* q_n = data(*start_x_);
-  double u_acting = 0;
-  for (const auto& p : scene_.prescribed) {
-    const Support& support = scene_.supports[p.support];
-    if (!support.activity.acts_at(t)) continue;
-    const Point& X = scene_.mesh.mesh.coordinates[p.node];
-    const bool is_mine = dofs_.owned(p.node);
-    double u = prescribed_displacement(support, p.axis, X, from.time, t, fault);
-    if (is_increment(support) && is_mine) u += q_n[dofs_.local(p.node) + p.axis] - X[p.axis];
-    if (!acting->empty() && acting->back().node == p.node && acting->back().axis == p.axis) {
-      const bool is_known = is_mine || !(is_increment(support) || is_increment(scene_.supports[acting->back().support]));
-      if (fault.empty() && is_known) fault = contradiction(scene_, acting->back(), p, u_acting, u, t);
-      continue;
-    }
-    acting->push_back(p);
-    u_acting = u;
-    if (is_mine) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.axis] + u);
-  }
-  acting_ = acting;
-}
-
 RCP<Vector> StepProblem::owned_sum(const Vector& shares) const {
   auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
   sum->doExport(shares, *dofs_.importer(), Tpetra::ADD);
@@ -136,38 +80,6 @@ double StepProblem::strain_energy(const double* x) const {
   for (const auto& spring : springs_)
     if (spring.acts_at(time_)) energy += spring.energy(x);
   return energy;
-}
-
-void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {
-  for (const auto& spring : springs_) {
-    if (!spring.acts_at(time_)) continue;
-    spring.add_force(data(overlap_x), data(internal));
-  }
-}
-
-RCP<Vector> StepProblem::damping(const Vector& overlap_x) {
-  if (dampings_.empty()) return Teuchos::null;
-  Vector velocity(dofs_.overlap_map()), force(dofs_.overlap_map());
-  if (dt_ > 0) velocity.update(1 / dt_, overlap_x, -1 / dt_, *start_x_, 0.0);
-  for (const auto& term : dampings_) {
-    term.add_force(data(velocity), data(force));
-  }
-  return owned_sum(force);
-}
-
-RCP<Vector> StepProblem::external(const Vector& overlap_x, bool with_tangent) {
-  if (followers_.empty()) return dead_;
-  Vector shares(dofs_.overlap_map());
-  for (const auto& follower : followers_) {
-    if (with_tangent) {
-      follower.add_tangent(data(overlap_x), data(shares), *matrix_);
-    } else {
-      follower.add_force(data(overlap_x), data(shares));
-    }
-  }
-  const auto sum = owned_sum(shares);
-  sum->update(1.0, *dead_, 1.0);
-  return sum;
 }
 
 void StepProblem::build_graph() {
@@ -191,9 +103,10 @@ void StepProblem::refresh_constants() {
   matrix_->clear();
   bool is_empty = true;
   Vector unused(dofs_.overlap_map());
+  const auto reference = to_overlap(*reference_state());
   for (const auto& body : bodies_) {
     if (!body->has_constant_tangent()) continue;
-    body->add_tangent(data(*to_overlap(*reference_state())), data(unused), *matrix_);
+    body->add_tangent(data(*reference), data(unused), *matrix_);
     counts_.element_tangents += static_cast<long>(body->n_elements());
     is_empty = false;
   }
@@ -373,9 +286,8 @@ Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
   Vector shares(dofs_.overlap_map());
   NodalSums sums(dofs_);
   pairs_[k]->integrate(data(*overlap_x), false, data(shares), sums);
-  Vector force(dofs_.owned_map());
-  force.doExport(shares, *dofs_.importer(), Tpetra::ADD);
-  const double* f = data(force);
+  const auto force = owned_sum(shares);
+  const double* f = data(*force);
   std::vector<double> sum(3, 0.0);
   for (int node : scene_.pairs[k].secondary_nodes)
     if (dofs_.owned(node))
@@ -394,9 +306,7 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   Vector contact(dofs_.overlap_map());
   NodalSums sums(dofs_);
   for (auto& pair : pairs_) pair->integrate(data(*overlap_x), false, data(contact), sums);
-  auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  sum->doExport(contact, *dofs_.importer(), Tpetra::ADD);
-  return sum;
+  return owned_sum(contact);
 }
 
 }  // namespace mortise

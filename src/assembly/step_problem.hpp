@@ -70,6 +70,9 @@ class StepProblem {
   const DofSpace& dofs() const { return dofs_; }
   const Scene& scene() const { return scene_; }
 
+  /// Reference positions, all pressures zero; owned unknowns.
+  RCP<Vector> reference_state() const;
+
   /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section
   /// 8).
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
@@ -143,7 +146,6 @@ class StepProblem {
     Vector gap, covered, whole;
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
-  RCP<Vector> reference_state() const;
   void find_normal_stiffness();
   double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
 

@@ -1,8 +1,47 @@
 #include "assembly/system_matrix.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace mortise {
+namespace {
+
+using LocalGraph = Graph::local_graph_device_type;
+
+/// The graph with the columns of other ranks in the order of ranks, then of numbers, so that the unknowns of a point stand side
+/// by side; Tpetra leaves those of one rank as they come.
+RCP<const Graph> with_sorted_columns(const Graph& graph) {
+  const RCP<const Map> owned = graph.getRowMap(), columns = graph.getColMap();
+  const int n_owned = static_cast<int>(owned->getNodeNumElements()), n = static_cast<int>(columns->getNodeNumElements());
+  std::vector<GlobalIndex> numbers(columns->getNodeElementList().begin(), columns->getNodeElementList().end());
+  std::vector<int> ranks(n - n_owned);
+  owned->getRemoteIndexList(Teuchos::ArrayView<const GlobalIndex>(numbers.data() + n_owned, n - n_owned),
+                            Teuchos::ArrayView<int>(ranks.data(), n - n_owned));
+  std::vector<int> order(n), place(n);  // new -> old, old -> new
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(order.begin() + n_owned, order.end(), [&](int a, int b) {
+    return std::make_pair(ranks[a - n_owned], numbers[a]) < std::make_pair(ranks[b - n_owned], numbers[b]);
+  });
+  std::vector<GlobalIndex> sorted;
+  for (int k = 0; k < n; ++k) {
+    place[order[k]] = k;
+    sorted.push_back(numbers[order[k]]);
+  }
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const RCP<const Map> sorted_columns =
+      Teuchos::rcp(new Map(unknown, Teuchos::ArrayView<const GlobalIndex>(sorted), columns->getIndexBase(), columns->getComm()));
+
+  const auto old = graph.getLocalGraphHost();
+  LocalGraph::entries_type::non_const_type entries("columns", old.entries.extent(0));
+  for (int row = 0; row < n_owned; ++row) {
+    const auto begin = old.row_map(row), end = old.row_map(row + 1);
+    for (auto k = begin; k < end; ++k) entries(k) = place[old.entries(k)];
+    std::sort(entries.data() + begin, entries.data() + end);
+  }
+  return Teuchos::rcp(new Graph(LocalGraph(entries, old.row_map), owned, sorted_columns, owned, owned));
+}
+
+}  // namespace
 
 SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells) : dofs_(dofs) {
   const auto& points = dofs.overlap_points();
@@ -18,7 +57,7 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
         if (p != r && coupled(index[p], index[r])) neighbours[index[p]].push_back(index[r]);
 
   const int n_rows = static_cast<int>(dofs.overlap_map()->getNodeNumElements());
-  LocalMatrix::row_map_type::non_const_type row_start("row start", n_rows + 1);
+  LocalGraph::row_map_type::non_const_type row_start("row start", n_rows + 1);
   std::vector<std::vector<int>> block_start(points.size());  // offset of each neighbour within a row
   std::size_t n_entries = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -36,106 +75,122 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
     }
   }
   row_start(n_rows) = n_entries;
-
-  LocalMatrix::index_type columns("columns", n_entries);
-  LocalMatrix::values_type values("values", n_entries);
-  diagonal_.resize(n_rows);
+  LocalGraph::entries_type::non_const_type columns("columns", n_entries);
   for (std::size_t k = 0; k < points.size(); ++k)
     for (int i = 0; i < dofs.size(points[k]); ++i) {
-      const int row = dofs.local(points[k]) + i;
-      std::size_t at = row_start(row);
+      std::size_t at = row_start(dofs.local(points[k]) + i);
       for (int b : neighbours[k])
-        for (int j = 0; j < dofs.size(points[b]); ++j, ++at) {
-          columns(at) = dofs.local(points[b]) + j;
-          if (columns(at) == row) diagonal_[row] = static_cast<int>(at);
-        }
+        for (int j = 0; j < dofs.size(points[b]); ++j) columns(at++) = dofs.local(points[b]) + j;
     }
-  values_ = values;
+  share_rows(LocalGraph(columns, row_start));
+
+  // Rows of the owned matrix also hold what other ranks couple, and number columns in another way.
+  const auto owned = owned_->getLocalMatrixHost().graph;
+  const RCP<const Map> column_map = owned_->getColMap();
+  const auto row_begin = [&](int row) {
+    return static_cast<int>(row < dofs.n_owned() ? owned.row_map(row) : row_start(row) - row_start(dofs.n_owned()));
+  };
+  const auto row_length = [&](int row) {
+    return static_cast<int>(row < dofs.n_owned() ? owned.row_map(row + 1) - owned.row_map(row)
+                                                 : row_start(row + 1) - row_start(row));
+  };
+  diagonal_.resize(dofs.n_owned());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const int row = dofs.local(points[k]);
+    if (row >= dofs.n_owned()) continue;
+    const int *begin = &owned.entries(row_begin(row)), *end = begin + row_length(row);
+    for (std::size_t n = 0; n < neighbours[k].size(); ++n) {
+      const int b = neighbours[k][n];
+      if (!ghost_.is_null()) {
+        const int column = column_map->getLocalElement(dofs.global(points[b]));
+        block_start[k][n] = static_cast<int>(std::lower_bound(begin, end, column) - begin);
+      }
+      if (b == static_cast<int>(k))
+        for (int i = 0; i < dofs.size(points[k]); ++i) diagonal_[row + i] = row_begin(row + i) + block_start[k][n] + i;
+    }
+  }
 
   for (const auto& cell : cells) {
     for (int p : cell) {
       const int row = dofs.local(p);
-      places_.push_back({dofs.size(p), static_cast<int>(row_start(row + 1) - row_start(row))});
+      places_.push_back({row >= dofs.n_owned(), dofs.size(p), row_length(row)});
       for (int r : cell) {
         const auto& near = neighbours[index[p]];
         const auto found = std::lower_bound(near.begin(), near.end(), index[r]);
         const bool here = found != near.end() && *found == index[r];
-        starts_.push_back(here ? static_cast<int>(row_start(row)) + block_start[index[p]][found - near.begin()] : -1);
+        starts_.push_back(here ? row_begin(row) + block_start[index[p]][found - near.begin()] : -1);
       }
     }
     first_.push_back(places_.size());
     first_start_.push_back(starts_.size());
   }
-
-  const LocalMatrix local("tangent", n_rows, n_rows, n_entries, values, row_start, columns);
-  if (dofs.comm()->getSize() > 1) {
-    share_rows(local);
-  } else {
-    overlap_ = Teuchos::rcp(new Matrix(local, dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map(), dofs.overlap_map()));
-  }
+  find_values();
 }
 
-// Owned rows come first. Their entries are copied to places known from here on; only the rows behind them pass through an export,
-// which searches.
-void SystemMatrix::share_rows(const LocalMatrix& local) {
+// On several ranks owned rows, which come first, get all columns that any rank couples them with; the rows behind them are sent.
+void SystemMatrix::share_rows(const LocalGraph& overlap_rows) {
   const RCP<const Map> overlap = dofs_.overlap_map(), owned = dofs_.owned_map();
-  const int n_rows = local.numRows(), n_owned = dofs_.n_owned(), n_ghosts = n_rows - n_owned;
-  const auto row_start = local.graph.row_map;
-  const auto first = row_start(n_owned), end = row_start(n_rows);
-
-  std::vector<GlobalIndex> ghosts;
-  for (int row = n_owned; row < n_rows; ++row) ghosts.push_back(overlap->getGlobalElement(row));
-  const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  const RCP<const Map> ghost_map =
-      Teuchos::rcp(new Map(none, Teuchos::ArrayView<const GlobalIndex>(ghosts), overlap->getIndexBase(), dofs_.comm()));
-  LocalMatrix::row_map_type::non_const_type ghost_start("row start of ghosts", n_ghosts + 1);
-  for (int k = 0; k <= n_ghosts; ++k) ghost_start(k) = row_start(n_owned + k) - first;
-  const auto range = std::make_pair(first, end);
-  const LocalMatrix ghost_rows("tangent of ghosts", n_ghosts, n_rows, end - first, Kokkos::subview(local.values, range),
-                               ghost_start, Kokkos::subview(local.graph.entries, range));
-  ghost_ = Teuchos::rcp(new Matrix(ghost_rows, ghost_map, overlap, owned, owned));
-  exporter_ = Teuchos::rcp(new Export(ghost_map, owned));
-
-  const auto graph = Teuchos::rcp(new Graph(owned, 0));
-  {  // all shares of the owned rows, of this rank and of others
-    const Matrix shares(local, overlap, overlap, overlap, overlap);
-    graph->doExport(*shares.getCrsGraph(), Export(overlap, owned), Tpetra::INSERT);
-    graph->fillComplete(owned, owned);
+  const auto shares = Teuchos::rcp(new Graph(overlap_rows, overlap, overlap, overlap, overlap));
+  if (dofs_.comm()->getSize() == 1) {
+    owned_ = Teuchos::rcp(new Matrix(shares));
+    owned_->fillComplete(owned, owned);
+    return;
   }
-  owned_ = Teuchos::rcp(new Matrix(graph));
+  const auto graph = Teuchos::rcp(new Graph(owned, 0));
+  graph->doExport(*shares, Export(overlap, owned), Tpetra::INSERT);
+  graph->fillComplete(owned, owned);
+  owned_ = Teuchos::rcp(new Matrix(with_sorted_columns(*graph)));
   owned_->fillComplete(owned, owned);
 
-  const auto to = owned_->getLocalMatrixHost();
-  const auto columns = owned_->getColMap();
-  place_in_owned_.resize(first);
-  for (int row = 0; row < n_owned; ++row) {
-    const auto begin = &to.graph.entries(0) + to.graph.row_map(row), stop = &to.graph.entries(0) + to.graph.row_map(row + 1);
-    for (auto k = row_start(row); k < row_start(row + 1); ++k) {
-      const int column = columns->getLocalElement(overlap->getGlobalElement(local.graph.entries(k)));
-      place_in_owned_[k] = static_cast<int>(std::lower_bound(begin, stop, column) - &to.graph.entries(0));
-    }
-  }
-  std::vector<char> is_hit(owned_->getNodeNumEntries(), 0);
-  for (int place : place_in_owned_) is_hit[place] = 1;
-  for (std::size_t k = 0; k < is_hit.size(); ++k)
-    if (!is_hit[k]) of_others_.push_back(static_cast<int>(k));
+  const int n_owned = dofs_.n_owned(), n_ghosts = static_cast<int>(overlap->getNodeNumElements()) - n_owned;
+  const auto row_start = overlap_rows.row_map;
+  const auto first = row_start(n_owned), end = row_start(n_owned + n_ghosts);
+  std::vector<GlobalIndex> ghosts;
+  for (int k = 0; k < n_ghosts; ++k) ghosts.push_back(overlap->getGlobalElement(n_owned + k));
+  const auto unknown = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  const RCP<const Map> ghost_map =
+      Teuchos::rcp(new Map(unknown, Teuchos::ArrayView<const GlobalIndex>(ghosts), overlap->getIndexBase(), dofs_.comm()));
+  LocalGraph::row_map_type::non_const_type ghost_start("row start of ghosts", n_ghosts + 1);
+  for (int k = 0; k <= n_ghosts; ++k) ghost_start(k) = row_start(n_owned + k) - first;
+  const LocalGraph ghost_rows(Kokkos::subview(overlap_rows.entries, std::make_pair(first, end)), ghost_start);
+  ghost_ = Teuchos::rcp(new Matrix(Teuchos::rcp(new Graph(ghost_rows, ghost_map, overlap, owned, owned))));
+  ghost_->fillComplete(owned, owned);
+  exporter_ = Teuchos::rcp(new Export(ghost_map, owned));
 }
 
-void SystemMatrix::reset() {
-  if (constant_.extent(0) > 0) {
-    Kokkos::deep_copy(values_, constant_);
+void SystemMatrix::find_values() {
+  owned_values_ = owned_->getLocalMatrixHost().values.data();
+  if (!ghost_.is_null()) ghost_values_ = ghost_->getLocalMatrixHost().values.data();
+}
+
+namespace {
+
+std::size_t n_entries(const RCP<Matrix>& matrix) { return matrix.is_null() ? 0 : matrix->getNodeNumEntries(); }
+
+void restore(double* values, std::size_t n, const std::vector<double>& constant) {
+  if (constant.empty()) {
+    std::fill_n(values, n, 0.0);
   } else {
-    Kokkos::deep_copy(values_, 0.0);
+    std::copy(constant.begin(), constant.end(), values);
   }
+}
+
+}  // namespace
+
+void SystemMatrix::reset() {
+  find_values();
+  restore(owned_values_, n_entries(owned_), owned_constant_);
+  restore(ghost_values_, n_entries(ghost_), ghost_constant_);
 }
 
 void SystemMatrix::keep_as_constant() {
-  if (constant_.extent(0) == 0) constant_ = decltype(constant_)("constant part", values_.extent(0));
-  Kokkos::deep_copy(constant_, values_);
+  owned_constant_.assign(owned_values_, owned_values_ + n_entries(owned_));
+  ghost_constant_.assign(ghost_values_, ghost_values_ + n_entries(ghost_));
 }
 
 void SystemMatrix::clear() {
-  constant_ = {};
+  owned_constant_.clear();
+  ghost_constant_.clear();
   reset();
 }
 
@@ -143,8 +198,8 @@ void SystemMatrix::add(std::size_t c, const double* K) {
   const Place* places = places_.data() + first_[c];
   const int* starts = starts_.data() + first_start_[c];
   const int n = static_cast<int>(first_[c + 1] - first_[c]);
-  double* values = values_.data();
-  for (int a = 0; a < n; ++a)
+  for (int a = 0; a < n; ++a) {
+    double* values = places[a].is_ghost ? ghost_values_ : owned_values_;
     for (int i = 0; i < places[a].size; ++i)
       for (int b = 0; b < n; ++b) {
         if (const int start = starts[a * n + b]; start >= 0) {
@@ -153,28 +208,24 @@ void SystemMatrix::add(std::size_t c, const double* K) {
         }
         K += places[b].size;
       }
+  }
 }
 
 RCP<Matrix> SystemMatrix::assemble() {
-  if (exporter_.is_null()) return overlap_;
-  owned_->resumeFill();
-  {
-    double* to = owned_->getLocalMatrixHost().values.data();
-    const double* from = values_.data();
-    for (int place : of_others_) to[place] = 0;
-    for (std::size_t k = 0; k < place_in_owned_.size(); ++k) to[place_in_owned_[k]] = from[k];
+  if (!ghost_.is_null()) {
+    owned_->resumeFill();
+    owned_->doExport(*ghost_, *exporter_, Tpetra::ADD);
+    owned_->fillComplete(dofs_.owned_map(), dofs_.owned_map());
   }
-  owned_->doExport(*ghost_, *exporter_, Tpetra::ADD);
-  owned_->fillComplete(dofs_.owned_map(), dofs_.owned_map());
   return owned_;
 }
 
 std::size_t SystemMatrix::bytes() const {
-  const std::size_t n_entries = values_.extent(0), n_shared = place_in_owned_.size() + of_others_.size();
-  const std::size_t entry = sizeof(double) + sizeof(int);
-  return n_entries * entry + constant_.extent(0) * sizeof(double) + diagonal_.size() * (sizeof(int) + sizeof(std::size_t)) +
+  return (n_entries(owned_) + n_entries(ghost_)) * (sizeof(double) + sizeof(int)) +
+         (owned_constant_.size() + ghost_constant_.size()) * sizeof(double) +
+         static_cast<std::size_t>(dofs_.n_owned()) * (sizeof(int) + sizeof(std::size_t)) +
          (first_.size() + first_start_.size()) * sizeof(std::size_t) + places_.size() * sizeof(Place) +
-         starts_.size() * sizeof(int) + n_shared * sizeof(int) + (owned_.is_null() ? 0 : owned_->getNodeNumEntries() * entry);
+         starts_.size() * sizeof(int);
 }
 
 }  // namespace mortise

@@ -28,8 +28,8 @@ class SystemMatrix {
   /// Adds a dense matrix over the unknowns of cell `c` (number in the constructor's list), row-major.
   void add(std::size_t c, const double* K);
 
-  /// Adds to the diagonal entry of an owned or ghost unknown (overlap local index).
-  void add_diagonal(int local, double value) { values_(diagonal_[local]) += value; }
+  /// Adds to the diagonal entry of an owned unknown (local index).
+  void add_diagonal(int local, double value) { owned_values_[diagonal_[local]] += value; }
 
   /// The matrix on the owned rows: sums the shares of all ranks in fixed order. Collective.
   RCP<Matrix> assemble();
@@ -37,27 +37,27 @@ class SystemMatrix {
   std::size_t bytes() const;  ///< of the values, the graph and the places of all cells, on this rank
 
  private:
-  using LocalMatrix = Matrix::local_matrix_device_type;
-  void share_rows(const LocalMatrix& local);
+  using LocalGraph = Graph::local_graph_device_type;
+  void share_rows(const LocalGraph& overlap_rows);
+  void find_values();
 
-  /// A point of a cell: how many unknowns it has, and the length of their rows.
+  /// A point of a cell: whether its rows are those of another rank, its unknowns, and the length of their rows.
   struct Place {
+    bool is_ghost;
     int size, stride;
   };
   const DofSpace& dofs_;
-  Kokkos::View<double*, Kokkos::HostSpace> values_, constant_;
-  std::vector<int> diagonal_;
-  // Of cell c: its n points from places_[first_[c]] on, and n x n indices of the first entry of each block (a, b) in values_,
-  // -1 where they are not coupled, from starts_[first_start_[c]] on.
+  RCP<Matrix> owned_;  // the rows of this rank, where shares are added in place
+  RCP<Matrix> ghost_;  // shares of the rows of others; null on one rank
+  RCP<const Export> exporter_;
+  double *owned_values_ = nullptr, *ghost_values_ = nullptr;
+  std::vector<double> owned_constant_, ghost_constant_;  // empty: zero
+  std::vector<int> diagonal_;                            // of owned rows, in their values
+  // Of cell c: its n points from places_[first_[c]] on, and n x n indices of the first entry of each block (a, b) in the values
+  // of the rows of a, -1 where they are not coupled, from starts_[first_start_[c]] on.
   std::vector<std::size_t> first_{0}, first_start_{0};
   std::vector<Place> places_;
   std::vector<int> starts_;
-  RCP<Matrix> overlap_;  // of one rank: the matrix itself
-  // Of several ranks: the rows that others own, the matrix of the owned rows, and where in it each entry of values_ goes.
-  RCP<Matrix> ghost_, owned_;
-  std::vector<int> place_in_owned_;
-  std::vector<int> of_others_;  // entries of the owned matrix that only other ranks add to
-  RCP<const Export> exporter_;
 };
 
 }  // namespace mortise

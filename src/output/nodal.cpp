@@ -149,9 +149,4 @@ std::vector<std::vector<double>> nodal_variables(const StepProblem& problem, con
   return variables;
 }
 
-std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at,
-                                   const std::string& name) {
-  return nodal_variables(problem, state, at, {name}).front();
-}
-
 }  // namespace mortise

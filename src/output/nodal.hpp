@@ -17,7 +17,4 @@ namespace mortise {
 std::vector<std::vector<double>> nodal_variables(const StepProblem& problem, const State& state, const Evaluation& at,
                                                  const std::vector<std::string>& names);
 
-/// One of them.
-std::vector<double> nodal_quantity(const StepProblem& problem, const State& state, const Evaluation& at, const std::string& name);
-
 }  // namespace mortise

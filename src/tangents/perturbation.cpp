@@ -66,11 +66,4 @@ Perturbation perturbed(const StepProblem& problem) {
   throw std::runtime_error("no admissible deformed state was found");
 }
 
-RCP<Vector> at_rest(const StepProblem& problem) {
-  std::vector<double> x(problem.dofs().n_unknowns(), 0.0);
-  const auto& X = problem.scene().mesh.mesh.coordinates;
-  for (std::size_t k = 0; k < 3 * X.size(); ++k) x[k] = X[k / 3][k % 3];
-  return problem.scatter(x);
-}
-
 }  // namespace mortise

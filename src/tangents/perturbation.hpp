@@ -17,7 +17,4 @@ struct Perturbation {
 /// @throws std::runtime_error if no such factor is found
 Perturbation perturbed(const StepProblem& problem);
 
-/// Reference positions, all pressures zero.
-RCP<Vector> at_rest(const StepProblem& problem);
-
 }  // namespace mortise

@@ -47,7 +47,7 @@ ExitCode tangents_command(const TangentsOptions& options, const RCP<const Comm>&
   const Setup setup(Deck::read(*options.deck), comm);
   const StepProblem& problem = setup.problem;
   const Perturbation deformed = perturbed(problem);
-  const std::array states{problem.to_overlap(*at_rest(problem)), problem.to_overlap(*deformed.x)};
+  const std::array states{problem.to_overlap(*problem.reference_state()), problem.to_overlap(*deformed.x)};
   if (is_root)
     std::cout << fmt::format("{}, {} ranks; deformed state: {:g} of the full perturbation\n", options.deck->string(),
                              comm->getSize(), deformed.factor);

@@ -9,86 +9,35 @@
 namespace mortise::test {
 namespace {
 
+std::string held(const std::string& name, const std::string& set, const std::string& components) {
+  return list(name, word("set", set) + components);
+}
+std::string body(const std::string& name) { return list(name, word("mesh", name) + word("material", "rubber")); }
+
 /// Two bodies of different elements, each sheared and pressed; some fields at nodes and at points.
-const std::string deck = R"deck(<ParameterList name="two element types">
-  <ParameterList name="meshes">
-    <ParameterList name="lower">
-      <Parameter name="recipe" type="string" value="block"/>
-      <Parameter name="size" type="Array(double)" value="{3, 3, 1}"/>
-      <Parameter name="elements" type="Array(int)" value="{4, 4, 2}"/>
-    </ParameterList>
-    <ParameterList name="upper">
-      <Parameter name="recipe" type="string" value="block"/>
-      <Parameter name="elements" type="Array(int)" value="{2, 2, 2}"/>
-      <Parameter name="element type" type="string" value="tet4"/>
-      <Parameter name="origin" type="Array(double)" value="{0.9, 1.1, 1.5}"/>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="materials">
-    <ParameterList name="rubber">
-      <Parameter name="model" type="string" value="neo-hookean"/>
-      <Parameter name="youngs modulus" type="double" value="10"/>
-      <Parameter name="poissons ratio" type="double" value="0.3"/>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="bodies">
-    <ParameterList name="lower">
-      <Parameter name="mesh" type="string" value="lower"/>
-      <Parameter name="material" type="string" value="rubber"/>
-    </ParameterList>
-    <ParameterList name="upper">
-      <Parameter name="mesh" type="string" value="upper"/>
-      <Parameter name="material" type="string" value="rubber"/>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="supports">
-    <ParameterList name="lower bottom">
-      <Parameter name="set" type="string" value="lower/bottom"/>
-      <Parameter name="x" type="string" value="0"/>
-      <Parameter name="y" type="string" value="0"/>
-      <Parameter name="z" type="string" value="0"/>
-    </ParameterList>
-    <ParameterList name="lower top">
-      <Parameter name="set" type="string" value="lower/top"/>
-      <Parameter name="x" type="string" value="0.2*t"/>
-      <Parameter name="z" type="string" value="-0.1*t*x"/>
-    </ParameterList>
-    <ParameterList name="upper bottom">
-      <Parameter name="set" type="string" value="upper/bottom"/>
-      <Parameter name="x" type="string" value="0"/>
-      <Parameter name="y" type="string" value="0"/>
-      <Parameter name="z" type="string" value="0"/>
-    </ParameterList>
-    <ParameterList name="upper top">
-      <Parameter name="set" type="string" value="upper/top"/>
-      <Parameter name="y" type="string" value="0.1*t"/>
-      <Parameter name="z" type="string" value="0.2*t*y"/>
-    </ParameterList>
-  </ParameterList>
-  <ParameterList name="time">
-    <Parameter name="end" type="double" value="1"/>
-    <Parameter name="step" type="double" value="0.125"/>
-    <Parameter name="largest step" type="double" value="0.125"/>
-  </ParameterList>
-  <ParameterList name="solver">
-    <Parameter name="further iterations" type="int" value="1"/>
-  </ParameterList>
-  <ParameterList name="checkpoints">
-    <Parameter name="seconds" type="double" value="0"/>
-  </ParameterList>
-  <ParameterList name="output">
-    <Parameter name="fields" type="Array(string)" value="{displacement, reaction, cauchy stress, principal stresses, green-lagrange strain}"/>
-    <Parameter name="element fields" type="Array(string)" value="{cauchy stress, first piola stress, energy density}"/>
-  </ParameterList>
-  <ParameterList name="probes">
-    <ParameterList name="corner">
-      <Parameter name="quantity" type="string" value="principal_stress_1"/>
-      <Parameter name="mesh" type="string" value="lower"/>
-      <Parameter name="nearest" type="Array(double)" value="{3, 3, 1}"/>
-    </ParameterList>
-  </ParameterList>
-</ParameterList>
-)deck";
+const std::string fixed = word("x", "0") + word("y", "0") + word("z", "0");
+const std::string deck = list(
+    "two element types",
+    list("meshes",
+         list("lower", word("recipe", "block") + deck_parameter("size", "Array(double)", "{3, 3, 1}") +
+                           deck_parameter("elements", "Array(int)", "{4, 4, 2}")) +
+             list("upper", word("recipe", "block") + deck_parameter("elements", "Array(int)", "{2, 2, 2}") +
+                               word("element type", "tet4") + deck_parameter("origin", "Array(double)", "{0.9, 1.1, 1.5}"))) +
+        list("materials",
+             list("rubber", word("model", "neo-hookean") + number("youngs modulus", "10") + number("poissons ratio", "0.3"))) +
+        list("bodies", body("lower") + body("upper")) +
+        list("supports", held("lower bottom", "lower/bottom", fixed) +
+                             held("lower top", "lower/top", word("x", "0.2*t") + word("z", "-0.1*t*x")) +
+                             held("upper bottom", "upper/bottom", fixed) +
+                             held("upper top", "upper/top", word("y", "0.1*t") + word("z", "0.2*t*y"))) +
+        list("time", number("end", "1") + number("step", "0.125") + number("largest step", "0.125")) +
+        list("solver", deck_parameter("further iterations", "int", "1")) + list("checkpoints", number("seconds", "0")) +
+        list("output",
+             deck_parameter("fields", "Array(string)",
+                            "{displacement, reaction, cauchy stress, principal stresses, green-lagrange strain}") +
+                 deck_parameter("element fields", "Array(string)", "{cauchy stress, first piola stress, energy density}")) +
+        list("probes", list("corner", word("quantity", "principal_stress_1") + word("mesh", "lower") +
+                                          deck_parameter("nearest", "Array(double)", "{3, 3, 1}"))));
 
 constexpr int last_frame = 9;  // the start and eight steps
 

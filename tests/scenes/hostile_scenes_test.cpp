@@ -17,12 +17,6 @@ constexpr double youngs_modulus = 1e6, constrained_modulus = youngs_modulus * 0.
 const std::string supports = "<ParameterList name=\"supports\">", contact = "<ParameterList name=\"contact\">",
                   end_of_lists = "</ParameterList></ParameterList>\n";
 
-std::string text(const std::string& name, const std::string& value) {
-  return "<Parameter name=\"" + name + "\" type=\"string\" value=\"" + value + "\"/>";
-}
-std::string list(const std::string& name, const std::string& content) {
-  return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>";
-}
 /// The patch test with a further entry at the end of one of its lists.
 std::string patch_with(const std::string& in_list, const std::string& entry) {
   const std::string head = "  <ParameterList name=\"" + in_list + "\">";
@@ -65,7 +59,7 @@ class HostileScene : public testing::Test {
 
 TEST_F(HostileScene, SupportsThatContradictAreNamedBeforeTheRun) {
   expect_refused(
-      patch_with("supports", list("edge", text("set", "lower/left") + text("z", "0.5*t"))), "\"0.5*t\"",
+      patch_with("supports", list("edge", word("set", "lower/left") + word("z", "0.5*t"))), "\"0.5*t\"",
       {"error[D21] supports > edge > \"z\" = \"0.5*t\" - ", "of mesh \"lower\", component z, is moved by 0.5 here and by 0",
        "in \"lower bottom\" at t = 1 - one value is needed"});
   EXPECT_FALSE(std::filesystem::exists(folder / "out")) << "nothing is written before all is checked";
@@ -73,25 +67,25 @@ TEST_F(HostileScene, SupportsThatContradictAreNamedBeforeTheRun) {
 
 // At the start and at the end both are zero.
 TEST_F(HostileScene, SupportsThatContradictInBetweenAreNamedWhenTheyDo) {
-  expect_refused(patch_with("supports", list("edge", text("set", "lower/left") + text("z", "t*(1-t)"))), "\"t*(1-t)\"",
+  expect_refused(patch_with("supports", list("edge", word("set", "lower/left") + word("z", "t*(1-t)"))), "\"t*(1-t)\"",
                  {"error[D21]", "is moved by 0.25 here and by 0", "at t = 0.5 - one value is needed",
                   "the last good state (step 0, t = 0) is in out/results.e"});
   EXPECT_EQ(history()["time"], (std::vector<double>{0}));
 }
 
 TEST_F(HostileScene, SupportsThatAgreeAreAllowed) {
-  expect_done(patch_with("supports", list("edge", text("set", "lower/left") + text("z", "0*t"))));
+  expect_done(patch_with("supports", list("edge", word("set", "lower/left") + word("z", "0*t"))));
 }
 
 TEST_F(HostileScene, SupportOnSecondaryNodesIsAllowed) {
-  const auto held = patch_with("supports", list("sole", text("set", "upper/bottom") + text("x", "0") + text("y", "0")));
+  const auto held = patch_with("supports", list("sole", word("set", "upper/bottom") + word("x", "0") + word("y", "0")));
   expect_done(held);
   EXPECT_NEAR(history()["contact_force_z.upper on lower"].back(), 36e6, 36e6 * 1e-6);
 }
 
 // Without unknowns in the bodies only the pressures are left; without contact nothing at all.
 TEST_F(HostileScene, NoFreeUnknownIsAllowed) {
-  const auto all = text("x", "0") + text("y", "0");
+  const auto all = word("x", "0") + word("y", "0");
   std::string deck = patch;
   for (const char* elements : {"{4, 4, 2}", "{3, 3, 2}"}) deck = with(deck, elements, "{2, 1, 1}");
   deck = without_list(without_list(without_list(deck, "loads"), "contact"), "probes");
@@ -100,7 +94,7 @@ TEST_F(HostileScene, NoFreeUnknownIsAllowed) {
     std::string name = side;
     name[5] = ' ';
     const std::string z = side == "lower/bottom" ? "0" : "-0.1*t";
-    deck = with(deck, supports, supports + list("all of " + name, text("set", side) + all + text("z", z)));
+    deck = with(deck, supports, supports + list("all of " + name, word("set", side) + all + word("z", z)));
   }
   expect_done(deck);
   EXPECT_EQ(history()["time"].back(), 1);
@@ -132,7 +126,7 @@ TEST_F(HostileScene, FormulaThatFailsAtTheSeventhStepKeepsTheSixth) {
 
 // Where another support prescribes the same, only this one has no value.
 TEST_F(HostileScene, DivisionByZeroInASupportIsNamedWhenItHappens) {
-  expect_refused(patch_with("supports", list("wall", text("set", "upper/left") + text("x", "0/(1-t)"))), "0/(1-t)",
+  expect_refused(patch_with("supports", list("wall", word("set", "upper/left") + word("x", "0/(1-t)"))), "0/(1-t)",
                  {"error[D23] supports > wall > \"x\" = \"0/(1-t)\" - gives ", "nan at t = 1, x = 0, y = "});
   EXPECT_EQ(history()["time"], (std::vector<double>{0, 0.5}));
 }
@@ -145,14 +139,14 @@ TEST_F(HostileScene, SurfacesOfAPairThatShareNodesAreNamed) {
 }
 
 TEST_F(HostileScene, NodesThatAreSecondaryTwiceAreNamed) {
-  expect_refused(patch_with("contact", list("again", text("secondary", "upper/bottom") + text("primary", "lower/left"))),
-                 "\"again\"",
+  const std::string secondary = word("secondary", "upper/bottom");
+  expect_refused(patch_with("contact", list("again", secondary + word("primary", "lower/left"))), secondary,
                  {"error[D19] contact > again > \"secondary\"", "is on the secondary side of \"upper on lower\" too"});
 }
 
 // The material between them is no gap.
 TEST_F(HostileScene, OppositeFacesOfABlockAreNoPair) {
-  const auto deck = patch_with("contact", list("itself", text("secondary", "lower/left") + text("primary", "lower/right")));
+  const auto deck = patch_with("contact", list("itself", word("secondary", "lower/left") + word("primary", "lower/right")));
   for (int ranks : {1, 2}) {
     const auto finished = run(deck, ranks);
     EXPECT_EQ(finished.code, 3);
@@ -186,17 +180,17 @@ Mesh stack_in_one_block() {
 
 TEST_F(HostileScene, PairWithinOneBlockIsAllowed) {
   write_exodus(stack_in_one_block(), folder / "stack.e", "one block");
-  const std::string held = text("x", "0") + text("y", "0");
+  const std::string held = word("x", "0") + word("y", "0");
   expect_done(list(
       "stack",
-      list("meshes", list("stack", text("file", "stack.e"))) +
-          list("materials", list("rubber", text("model", "neo-hookean") +
+      list("meshes", list("stack", word("file", "stack.e"))) +
+          list("materials", list("rubber", word("model", "neo-hookean") +
                                                "<Parameter name=\"youngs modulus\" type=\"double\" value=\"1e6\"/>"
                                                "<Parameter name=\"poissons ratio\" type=\"double\" value=\"0.3\"/>")) +
-          list("bodies", list("stack", text("mesh", "stack") + text("material", "rubber"))) +
-          list("supports", list("foot", text("set", "stack/bottom") + held + text("z", "0")) +
-                               list("head", text("set", "stack/up top") + held + text("z", "-6*t"))) +
-          list("contact", list("seam", text("secondary", "stack/up bottom") + text("primary", "stack/top"))) +
+          list("bodies", list("stack", word("mesh", "stack") + word("material", "rubber"))) +
+          list("supports", list("foot", word("set", "stack/bottom") + held + word("z", "0")) +
+                               list("head", word("set", "stack/up top") + held + word("z", "-6*t"))) +
+          list("contact", list("seam", word("secondary", "stack/up bottom") + word("primary", "stack/top"))) +
           list("time",
                "<Parameter name=\"end\" type=\"double\" value=\"1\"/><Parameter name=\"step\" type=\"double\" value=\"1\"/>")));
   const double force = history()["contact_force_z.seam"].back(), area_strain = 3600 * 0.05;
@@ -205,7 +199,7 @@ TEST_F(HostileScene, PairWithinOneBlockIsAllowed) {
 }
 
 TEST_F(HostileScene, UnknownProbeNodeIsNamed) {
-  expect_refused(patch_with("probes", list("far", text("quantity", "gap") + text("mesh", "upper") +
+  expect_refused(patch_with("probes", list("far", word("quantity", "gap") + word("mesh", "upper") +
                                                       "<Parameter name=\"node\" type=\"int\" value=\"49\"/>")),
                  "value=\"49\"", {"error[D20] probes > far > \"node\" = 49 - mesh \"upper\" has no node with that number"});
 }
@@ -223,13 +217,13 @@ class SceneOfTwoBlocks : public HostileScene {
   static std::string deck(const std::string& blocks_of_lower, const std::string& further = "") {
     std::string deck = patch;
     const std::size_t begin = deck.find("      <Parameter name=\"recipe\""), end = deck.find("    </ParameterList>", begin);
-    deck.replace(begin, end - begin, "      " + text("file", "lower.e") + "\n");
+    deck.replace(begin, end - begin, "      " + word("file", "lower.e") + "\n");
     const std::string mesh = "<Parameter name=\"mesh\"     type=\"string\" value=\"lower\"/>";
     deck = with(deck, mesh, mesh + "\n<Parameter name=\"blocks\" type=\"Array(string)\" value=\"" + blocks_of_lower + "\"/>");
     return further.empty() ? deck : with(deck, "<ParameterList name=\"bodies\">", "<ParameterList name=\"bodies\">\n" + further);
   }
   static std::string body(const std::string& blocks) {
-    return list("base", text("mesh", "lower") + text("material", "rubber") +
+    return list("base", word("mesh", "lower") + word("material", "rubber") +
                             "<Parameter name=\"blocks\" type=\"Array(string)\" value=\"" + blocks + "\"/>");
   }
 };

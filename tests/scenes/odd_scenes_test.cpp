@@ -16,36 +16,29 @@ const std::string patch = without_list(input_deck("patch_test/contact.xml"), "ex
 const std::string ironing = without_list(input_deck("ironing/frictionless.xml"), "expected");
 const std::string pressing = "-1e4*t", end_of_ironing = "name=\"end\"          type=\"double\" value=\"20\"";
 
-std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
-  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
-}
-std::string text(const std::string& name, const std::string& value) { return parameter(name, "string", value); }
-std::string list(const std::string& name, const std::string& content) {
-  return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
-}
 std::string support(const std::string& name, const std::string& set, const std::string& z) {
-  return list(name, text("set", set) + text("x", "0") + text("y", "0") + text("z", z));
+  return list(name, word("set", set) + word("x", "0") + word("y", "0") + word("z", z));
 }
 /// A body of the one material; `blocks` empty: all of them.
 std::string body(const std::string& name, const std::string& mesh, const std::string& blocks = "") {
-  return list(name, text("mesh", mesh) + text("material", "rubber") +
-                        (blocks.empty() ? "" : parameter("blocks", "Array(string)", blocks)));
+  return list(name, word("mesh", mesh) + word("material", "rubber") +
+                        (blocks.empty() ? "" : deck_parameter("blocks", "Array(string)", blocks)));
 }
 std::string contact(const std::string& secondary, const std::string& primary) {
-  return list("contact", list("pair", text("secondary", secondary) + text("primary", primary)));
+  return list("contact", list("pair", word("secondary", secondary) + word("primary", primary)));
 }
 std::string recipe(const std::string& name, const std::string& size, const std::string& elements, const std::string& origin) {
-  return list(name, text("recipe", "block") + parameter("size", "Array(double)", size) +
-                        parameter("elements", "Array(int)", elements) + parameter("origin", "Array(double)", origin));
+  return list(name, word("recipe", "block") + deck_parameter("size", "Array(double)", size) +
+                        deck_parameter("elements", "Array(int)", elements) + deck_parameter("origin", "Array(double)", origin));
 }
 /// A deck on the mesh file base.e, held at its bottom.
 std::string deck_on_base(const std::string& meshes, const std::string& bodies, const std::string& supports,
                          const std::string& further, const std::string& dt = "0.5") {
-  const std::string rubber =
-      text("model", "neo-hookean") + parameter("youngs modulus", "double", "1000") + parameter("poissons ratio", "double", "0.3");
-  return list("odd", list("meshes", list("base", text("file", "base.e")) + meshes) + list("materials", list("rubber", rubber)) +
+  const std::string rubber = word("model", "neo-hookean") + deck_parameter("youngs modulus", "double", "1000") +
+                             deck_parameter("poissons ratio", "double", "0.3");
+  return list("odd", list("meshes", list("base", word("file", "base.e")) + meshes) + list("materials", list("rubber", rubber)) +
                          list("bodies", bodies) + list("supports", support("base bottom", "base/bottom", "0") + supports) +
-                         further + list("time", parameter("end", "double", "1") + parameter("step", "double", dt)));
+                         further + list("time", deck_parameter("end", "double", "1") + deck_parameter("step", "double", dt)));
 }
 
 // ---- meshes -----------------------------------------------------------------------------------------------------------
@@ -130,7 +123,7 @@ TEST_F(OddScene, FormulaThatIsInfiniteAtOnePlaceEndsAllRanks) {
     expect_words(finished.err, {"error[D23] loads > pressing", place_of(deck, late), "t = 1"});
     EXPECT_EQ(history()["time"], (std::vector<double>{0, 0.5}));
 
-    deck = with(patch, z_is_0, text("z", in_support));
+    deck = with(patch, z_is_0, word("z", in_support));
     finished = run(deck, ranks);
     EXPECT_EQ(finished.code, 2) << ranks;
     expect_words(finished.err, {"error[D23] supports > lower bottom", place_of(deck, in_support), "x = 60, y = 60, z = 0"});
@@ -152,7 +145,7 @@ TEST_F(OddScene, FileThatCannotGrowInMidRunEndsAllRanks) {
 
 TEST_F(OddScene, BodiesThatShareNodesHoldEachOther) {
   write_exodus(column_of_two_blocks(), folder / "base.e", "two blocks");
-  const auto loads = list("loads", list("pull", text("type", "traction") + text("set", "base/top") + text("z", "10*t")));
+  const auto loads = list("loads", list("pull", word("type", "traction") + word("set", "base/top") + word("z", "10*t")));
   const auto one = history_of(deck_on_base("", body("column", "base"), "", loads));
   for (int ranks : {1, 2}) {
     const auto two = history_of(deck_on_base("", body("low", "base", "{low}") + body("up", "base", "{up}"), "", loads), ranks);
@@ -254,8 +247,8 @@ TEST_F(OddScene, BodyThatIsPulledOffIsNamed) {
 TEST_F(OddScene, RunThatEndsEarlyLeavesItsLastStepThoughNotDue) {
   auto deck = with(patch, pressing, "-1e4*t - 1e12*max(t-0.5,0)");
   deck = with(deck, "name=\"step\"   type=\"double\" value=\"0.5\"/>",
-              "name=\"step\" type=\"double\" value=\"0.25\"/>" + parameter("smallest step", "double", "0.2"));
-  deck = with(deck, "<ParameterList name=\"output\">", "<ParameterList name=\"output\">" + parameter("every", "int", "5"));
+              "name=\"step\" type=\"double\" value=\"0.25\"/>" + deck_parameter("smallest step", "double", "0.2"));
+  deck = with(deck, "<ParameterList name=\"output\">", "<ParameterList name=\"output\">" + deck_parameter("every", "int", "5"));
   for (int ranks : {1, 2}) {
     EXPECT_EQ(run(deck, ranks).code, 4);
     EXPECT_EQ(history()["time"], (std::vector<double>{0, 0.25, 0.5}));

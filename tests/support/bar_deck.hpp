@@ -7,14 +7,6 @@
 
 namespace mortise::test {
 
-inline std::string deck_parameter(const std::string& name, const std::string& type, const std::string& value) {
-  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
-}
-inline std::string word(const std::string& name, const std::string& value) { return deck_parameter(name, "string", value); }
-inline std::string number(const std::string& name, const std::string& value) { return deck_parameter(name, "double", value); }
-inline std::string list(const std::string& name, const std::string& content) {
-  return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
-}
 inline std::string vector_of(const std::string& x, const std::string& y, const std::string& z) {
   return word("x", x) + word("y", y) + word("z", z);
 }

@@ -56,6 +56,21 @@ struct TestScene {
 
   RCP<Vector> scatter(const std::vector<double>& all) const { return problem.scatter(all); }
 
+  /// A matrix of the problem's unknowns, row-major, on every rank. Collective.
+  std::vector<double> dense(const Matrix& K) const {
+    const std::size_t n = n_unknowns();
+    std::vector<double> J(n * n), unit(n, 0.0);
+    Vector product(problem.dofs().owned_map());
+    for (std::size_t c = 0; c < n; ++c) {
+      unit[c] = 1;
+      K.apply(*scatter(unit), product);
+      unit[c] = 0;
+      const auto column = gather(product);
+      for (std::size_t r = 0; r < n; ++r) J[r * n + c] = column[r];
+    }
+    return J;
+  }
+
   /// Reference positions moved by up to `size` and pressures in [low, high): the same on any number of ranks.
   std::vector<double> random_state(Random& random, double size, double low, double high) const {
     std::vector<double> x(n_unknowns());

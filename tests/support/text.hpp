@@ -45,4 +45,14 @@ inline int count_of(const std::string& text, const std::string& word) {
   return n;
 }
 
+/// A parameter, or a list with its content, as a deck has them.
+inline std::string deck_parameter(const std::string& name, const std::string& type, const std::string& value) {
+  return "<Parameter name=\"" + name + "\" type=\"" + type + "\" value=\"" + value + "\"/>\n";
+}
+inline std::string word(const std::string& name, const std::string& value) { return deck_parameter(name, "string", value); }
+inline std::string number(const std::string& name, const std::string& value) { return deck_parameter(name, "double", value); }
+inline std::string list(const std::string& name, const std::string& content) {
+  return "<ParameterList name=\"" + name + "\">\n" + content + "</ParameterList>\n";
+}
+
 }  // namespace mortise::test

@@ -36,39 +36,30 @@ inline std::string name_of_case(const testing::TestParamInfo<ElementCase>& info)
   return name;
 }
 
-inline std::string parameter(const std::string& name, const std::string& type, const std::string& value) {
-  return fmt::format("<Parameter name=\"{}\" type=\"{}\" value=\"{}\"/>\n", name, type, value);
-}
-inline std::string list(const std::string& name, const std::string& content) {
-  return fmt::format("<ParameterList name=\"{}\">\n{}</ParameterList>\n", name, content);
-}
 using Formulas = std::array<std::string, 3>;
-inline std::string components(const Formulas& of) {
-  return parameter("x", "string", of[0]) + parameter("y", "string", of[1]) + parameter("z", "string", of[2]);
-}
+inline std::string components(const Formulas& of) { return word("x", of[0]) + word("y", of[1]) + word("z", of[2]); }
 
 /// The block [0, 1]^3 with n^3 bricks, cut as the type asks; the displacement of the sides but the top is given, on the top
 /// displacement or (if not empty) traction.
 inline std::string unit_block(const ElementCase& of, int n, const std::string& material, const Formulas& displacement,
                               const Formulas& traction) {
-  const std::string mesh = parameter("recipe", "string", "block") +
-                           parameter("elements", "Array(int)", fmt::format("{{{0}, {0}, {0}}}", n)) +
-                           parameter("element type", "string", topology(of.type).name);
+  const std::string mesh = word("recipe", "block") +
+                           deck_parameter("elements", "Array(int)", fmt::format("{{{0}, {0}, {0}}}", n)) +
+                           word("element type", topology(of.type).name);
   std::string supports, loads;
   for (const char* side : {"left", "right", "front", "back", "bottom"})
-    supports += list(side, parameter("set", "string", fmt::format("block/{}", side)) + components(displacement));
-  const std::string top = parameter("set", "string", "block/top");
+    supports += list(side, word("set", fmt::format("block/{}", side)) + components(displacement));
+  const std::string top = word("set", "block/top");
   if (traction[0].empty()) {
     supports += list("top", top + components(displacement));
   } else {
-    loads = list("loads", list("top", parameter("type", "string", "traction") + top + components(traction)));
+    loads = list("loads", list("top", word("type", "traction") + top + components(traction)));
   }
-  return list(
-      "unit block",
-      list("meshes", list("block", mesh)) + list("materials", list("solid", material)) +
-          list("bodies", list("block", parameter("mesh", "string", "block") + parameter("material", "string", "solid") +
-                                           parameter("formulation", "string", word_for(formulation_names, of.formulation)))) +
-          list("supports", supports) + loads + list("time", parameter("end", "double", "1") + parameter("step", "double", "1")));
+  return list("unit block",
+              list("meshes", list("block", mesh)) + list("materials", list("solid", material)) +
+                  list("bodies", list("block", word("mesh", "block") + word("material", "solid") +
+                                                   word("formulation", word_for(formulation_names, of.formulation)))) +
+                  list("supports", supports) + loads + list("time", number("end", "1") + number("step", "1")));
 }
 
 /// Moves the corners that are inside of the unit block by up to `size`, and other nodes to where straight edges have them.

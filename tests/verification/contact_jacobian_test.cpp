@@ -14,20 +14,6 @@ class ContactJacobian : public testing::Test {
  protected:
   TestScene s{overhang_deck};
 
-  std::vector<double> dense(const Matrix& K) const {
-    const std::size_t n = s.n_unknowns();
-    std::vector<double> J(n * n), unit(n, 0.0);
-    Vector product(s.problem.dofs().owned_map());
-    for (std::size_t c = 0; c < n; ++c) {
-      unit[c] = 1;
-      K.apply(*s.scatter(unit), product);
-      unit[c] = 0;
-      const auto column = s.gather(product);
-      for (std::size_t r = 0; r < n; ++r) J[r * n + c] = column[r];
-    }
-    return J;
-  }
-
   // Values whose derivative the tangent claims to hold: forces, supports, and for every covered node gap + compliance p, open or
   // closed.
   std::vector<double> values(const std::vector<double>& x) {
@@ -51,7 +37,7 @@ class ContactJacobian : public testing::Test {
     RCP<Matrix> K;
     const auto at = s.problem.linearise(*s.scatter(x), K);
     if (!at.admissible) return ::testing::AssertionFailure() << "the state is not admissible";
-    const auto J = dense(*K);
+    const auto J = s.dense(*K);
     const auto area = s.gather(*at.area), compliance = s.gather(*at.compliance);
     std::vector<std::size_t> rows;
     std::vector<double> compared, scale;
@@ -130,7 +116,7 @@ TEST_F(ContactJacobian, HasIdentityRowsForSupportsAndUncoveredPressures) {
   RCP<Matrix> K;
   const auto x = s.scatter(s.random_state(random, 0.08, 0.2, 1));
   const auto at = s.problem.linearise(*x, K);
-  const auto J = dense(*K);
+  const auto J = s.dense(*K);
   const auto area = s.gather(*at.area);
   const std::size_t n = s.n_unknowns();
   std::vector<std::size_t> rows;
@@ -147,7 +133,7 @@ TEST_F(ContactJacobian, CheckNoticesAWrongEntry) {
   const auto x = s.random_state(random, 0.08, 0.2, 1);
   RCP<Matrix> K;
   s.problem.linearise(*s.scatter(x), K);
-  auto J = dense(*K);
+  auto J = s.dense(*K);
   const std::size_t n = s.n_unknowns(), row = 3 * static_cast<std::size_t>(s.scene.pairs[0].secondary_nodes[12]);
   J[row * n + row] *= 1.001;
   std::vector<double> one_row(J.begin() + row * n, J.begin() + (row + 1) * n);

@@ -12,8 +12,8 @@ namespace {
 class EveryFormulation : public testing::TestWithParam<ElementCase> {};
 
 std::string two(const std::string& model, const std::string& a, double va, const std::string& b, double vb) {
-  return parameter("model", "string", model) + parameter(a, "double", fmt::format("{}", va)) +
-         (b.empty() ? "" : parameter(b, "double", fmt::format("{}", vb)));
+  return word("model", model) + deck_parameter(a, "double", fmt::format("{}", va)) +
+         (b.empty() ? "" : deck_parameter(b, "double", fmt::format("{}", vb)));
 }
 
 /// A shear that keeps the volume, so that incompressible elements can follow: det F = 1.

@@ -83,18 +83,15 @@ class FieldsOf : public testing::TestWithParam<ElementCase> {
  protected:
   /// A distorted block of two bricks a side, stretched and sheared by F.
   TestScene stretched() const {
-    const std::string material =
-        parameter("model", "string", GetParam().is_mixed() ? "neo-hookean isochoric-volumetric" : "neo-hookean");
+    const std::string material = word("model", GetParam().is_mixed() ? "neo-hookean isochoric-volumetric" : "neo-hookean");
     Formulas u;
     for (int i = 0; i < 3; ++i)
       u[i] = fmt::format("{:.17g}*x + {:.17g}*y + {:.17g}*z", F(i, 0) - (i == 0), F(i, 1) - (i == 1), F(i, 2) - (i == 2));
-    return TestScene(
-        unit_block(GetParam(), 2,
-                   material + parameter("youngs modulus", "double", "1") + parameter("poissons ratio", "double", "0.3"), u, {}),
-        world(), [](Scene& scene) {
-          scene.solver.further_iterations = 1;
-          distort_inside(scene.mesh.mesh, 0.06);
-        });
+    return TestScene(unit_block(GetParam(), 2, material + number("youngs modulus", "1") + number("poissons ratio", "0.3"), u, {}),
+                     world(), [](Scene& scene) {
+                       scene.solver.further_iterations = 1;
+                       distort_inside(scene.mesh.mesh, 0.06);
+                     });
   }
 
   static Exact exact(const TestScene& s) {
@@ -201,7 +198,7 @@ TEST(Fields, AreTheSameOnOneRankAndOnAll) {
 TEST(Fields, ThatTheDeckReaderRefusesAreErrorsOfTheProgram) {
   RandomState s(world());
   for (const std::string name : {"velocity_x", "acceleration_z", "no_such_variable", "displacement"})
-    EXPECT_THROW(nodal_quantity(s.scene.problem, s.state, s.at, name), std::logic_error) << name;
+    EXPECT_THROW(nodal_variables(s.scene.problem, s.state, s.at, {name}), std::logic_error) << name;
 }
 
 }  // namespace

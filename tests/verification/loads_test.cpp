@@ -35,20 +35,6 @@ BarDeck everything() {
   return deck;
 }
 
-std::vector<double> dense(const TestScene& s, const Matrix& K) {
-  const std::size_t n = s.n_unknowns();
-  std::vector<double> J(n * n), unit(n, 0.0);
-  Vector product(s.problem.dofs().owned_map());
-  for (std::size_t c = 0; c < n; ++c) {
-    unit[c] = 1;
-    K.apply(*s.scatter(unit), product);
-    unit[c] = 0;
-    const auto column = s.gather(product);
-    for (std::size_t r = 0; r < n; ++r) J[r * n + c] = column[r];
-  }
-  return J;
-}
-
 TEST(Loads, TangentOfAllTogetherIsTheDerivativeOfTheResidual) {
   BarDeck deck = everything();
   deck.elements = "{1, 2, 2}";
@@ -61,7 +47,7 @@ TEST(Loads, TangentOfAllTogetherIsTheDerivativeOfTheResidual) {
   GradientCheck check;
   check.first_step = 1e-3;
   EXPECT_TRUE(is_derivative(
-      dense(s, *K), [&](const auto& y) { return s.gather(*s.problem.evaluate(*s.scatter(y)).residual); }, x, check));
+      s.dense(*K), [&](const auto& y) { return s.gather(*s.problem.evaluate(*s.scatter(y)).residual); }, x, check));
 }
 
 TEST(Loads, GiveTheSameOnOneRankAndOnAllAndALedgerThatCloses) {

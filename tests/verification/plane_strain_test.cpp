@@ -3,8 +3,8 @@
 
 #include "assembly/vectors.hpp"
 #include "errors.hpp"
-#include "setup.hpp"
 #include "support/bar_deck.hpp"
+#include "support/free_bodies.hpp"
 #include "support/marched_scene.hpp"
 
 namespace mortise::test {
@@ -160,18 +160,6 @@ TEST(PlaneStrain, GivesExpectedValuesTheColumnOfItsSupport) {
   expect_refused(deck, {"error[D14] expected > z forces > \"quantity\""});
   deck.body = plane;
   EXPECT_NO_THROW(scene_of(deck));
-}
-
-/// What the start of a run says about free bodies.
-std::string free_at_the_start(const std::string& deck) {
-  const ScratchFolder folder;
-  Setup setup(Deck::read(folder.write("deck.xml", deck)), world());
-  try {
-    setup.first_state();
-    return "";
-  } catch (const DeckError& error) {
-    return error.what();
-  }
 }
 
 TEST(PlaneStrain, HoldsThreeRigidModesByItself) {

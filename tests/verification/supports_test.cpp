@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "errors.hpp"
-#include "setup.hpp"
 #include "support/bar_deck.hpp"
+#include "support/free_bodies.hpp"
 #include "support/marched_scene.hpp"
 
 namespace mortise::test {
@@ -199,18 +199,6 @@ TEST(RayleighDamping, LetsAFreeBodyFallAtTheSpeedThatItsMassDampingAllows) {
 }
 
 // ---- rigid modes ------------------------------------------------------------------------------------------------------
-
-/// The message about free bodies at the start of a run, or nothing.
-std::string free_at_the_start(const std::string& deck) {
-  const ScratchFolder folder;
-  Setup setup(Deck::read(folder.write("deck.xml", deck)), world());
-  try {
-    setup.first_state();
-    return "";
-  } catch (const DeckError& error) {
-    return error.what();
-  }
-}
 
 TEST(RigidModes, AreHeldBySpringsMassDampingAndSupportsThatActFromTheStart) {
   BarDeck deck;

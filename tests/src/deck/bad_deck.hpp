@@ -13,6 +13,11 @@ struct BadDeck {
   std::vector<std::string> words;
 };
 
+/// Places in `block_deck` that are changed.
+inline const std::string ratio = R"(type="double" value="0.25")", modulus = R"(type="double" value="2.5")";
+inline const std::string recipe = parameter("recipe", "string", "block");
+inline const std::string end = parameter("end", "double", "2");
+
 inline void PrintTo(const BadDeck& bad, std::ostream* out) { *out << bad.name; }
 inline std::string name_of(const testing::TestParamInfo<BadDeck>& test) { return test.param.name; }
 

@@ -95,7 +95,7 @@ struct Checked {
 
   explicit Checked(const std::vector<Case>& cases, const RCP<const Comm>& comm = world())
       : scene(deck_of(cases, written(cases)), comm),
-        rest(scene.problem.to_overlap(*at_rest(scene.problem))),
+        rest(scene.problem.to_overlap(*scene.problem.reference_state())),
         deformed(scene.problem.to_overlap(*perturbed(scene.problem).x)) {}
 
   std::filesystem::path written(const std::vector<Case>& cases) const {

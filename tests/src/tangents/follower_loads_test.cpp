@@ -9,21 +9,19 @@ namespace mortise::test {
 namespace {
 
 std::string loaded_block(ElementType type) {
-  const std::string on_top = parameter("set", "string", "block/top");
+  const std::string on_top = word("set", "block/top");
   return list(
       "loaded block",
-      list("meshes", list("block", parameter("recipe", "string", "block") + parameter("elements", "Array(int)", "{2, 1, 1}") +
-                                       parameter("element type", "string", topology(type).name))) +
+      list("meshes", list("block", word("recipe", "block") + deck_parameter("elements", "Array(int)", "{2, 1, 1}") +
+                                       word("element type", topology(type).name))) +
           list("materials",
-               list("solid", parameter("model", "string", "neo-hookean") + parameter("youngs modulus", "double", "1e3") +
-                                 parameter("poissons ratio", "double", "0.3"))) +
-          list("bodies", list("block", parameter("mesh", "string", "block") + parameter("material", "string", "solid"))) +
-          list("loads", list("water", parameter("type", "string", "pressure") + on_top +
-                                          parameter("pressure", "string", "50*t*(1 + x)") + parameter("end", "double", "0.5")) +
-                            list("wind", parameter("type", "string", "cauchy traction") + on_top +
-                                             parameter("x", "string", "20*t*y") + parameter("z", "string", "-30*t")) +
-                            list("dead", parameter("type", "string", "traction") + on_top + parameter("z", "string", "-t"))) +
-          list("time", parameter("end", "double", "1") + parameter("step", "double", "0.5")));
+               list("solid", word("model", "neo-hookean") + number("youngs modulus", "1e3") + number("poissons ratio", "0.3"))) +
+          list("bodies", list("block", word("mesh", "block") + word("material", "solid"))) +
+          list("loads",
+               list("water", word("type", "pressure") + on_top + word("pressure", "50*t*(1 + x)") + number("end", "0.5")) +
+                   list("wind", word("type", "cauchy traction") + on_top + word("x", "20*t*y") + word("z", "-30*t")) +
+                   list("dead", word("type", "traction") + on_top + word("z", "-t"))) +
+          list("time", number("end", "1") + number("step", "0.5")));
 }
 
 class FollowerLoads : public testing::TestWithParam<ElementType> {};

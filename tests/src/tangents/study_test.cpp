@@ -44,8 +44,11 @@ TEST(DifferenceStudy, TheComplexStepHasOrderTwoAndThenNoErrorForAnySmallerStep) 
   const auto complex = errors(TangentKind::complex_step);
   EXPECT_NEAR(order(complex), 2, 0.01);
   EXPECT_EQ(complex.begin()->first, -300);
-  for (const auto& [exponent, error] : complex)
-    if (exponent <= -8) EXPECT_LT(error, 5e-16) << exponent;
+  for (const auto& [exponent, error] : complex) {
+    if (exponent <= -8) {
+      EXPECT_LT(error, 5e-16) << exponent;
+    }
+  }
 }
 
 TEST(DifferenceStudy, AutomaticDifferentiationIsExact) {
