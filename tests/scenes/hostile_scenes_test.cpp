@@ -139,8 +139,8 @@ TEST_F(HostileScene, SurfacesOfAPairThatShareNodesAreNamed) {
 }
 
 TEST_F(HostileScene, NodesThatAreSecondaryTwiceAreNamed) {
-  const std::string secondary = word("secondary", "upper/bottom");
-  expect_refused(patch_with("contact", list("again", secondary + word("primary", "lower/left"))), secondary,
+  const std::string pair = word("secondary", "upper/bottom") + word("primary", "lower/left");
+  expect_refused(patch_with("contact", list("again", pair)), pair,
                  {"error[D19] contact > again > \"secondary\"", "is on the secondary side of \"upper on lower\" too"});
 }
 
