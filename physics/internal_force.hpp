@@ -49,4 +49,37 @@ inline void mirror(int m, double* K, int width) {
     for (int c = 0; c < r; ++c) K[r * width + c] = K[c * width + r];
 }
 
+/// The sum over quadrature points of  grad_N_a,J A_iJkL grad_N_b,L JxW  [N/m]  for moduli without symmetry.
+/// All nodes b of a pair i, k stand side by side, an even number of them, so that they are taken two at a time.
+template <int n>
+class UnsymmetricStiffness {
+ public:
+  void add(const double A[9][9], const double (&grad_N)[n][3], double JxW) {
+    double g[3][width];  // JxW grad_N_b,L
+    for (int L = 0; L < 3; ++L)
+      for (int b = 0; b < width; ++b) g[L][b] = b < n ? JxW * grad_N[b][L] : 0;
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k) {
+          double T[3];  // grad_N_a,J A_iJkL
+          for (int L = 0; L < 3; ++L)
+            T[L] = grad_N[a][0] * A[3 * i][3 * k + L] + grad_N[a][1] * A[3 * i + 1][3 * k + L] +
+                   grad_N[a][2] * A[3 * i + 2][3 * k + L];
+          for (int b = 0; b < width; ++b) sum_[a][i][k][b] += T[0] * g[0][b] + T[1] * g[1][b] + T[2] * g[2][b];
+        }
+  }
+
+  /// K_ai,bk += the sum. @param K rows of length `row_length`, the positions first
+  void add_to(double* K, int row_length) const {
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 3; ++k)
+          for (int b = 0; b < n; ++b) K[(3 * a + i) * row_length + 3 * b + k] += sum_[a][i][k][b];
+  }
+
+ private:
+  static constexpr int width = n + n % 2;
+  double sum_[n][3][3][width] = {};
+};
+
 }  // namespace mortise
