@@ -68,9 +68,9 @@ def google_benchmark(program, repetitions, *options, launcher=()):
 
 
 def counters(records):
-    """The counts of a benchmark, which every repetition must find again."""
+    """The counts of a benchmark, which every repetition must find again; seconds and ratios are no counts."""
     each = [{k: int(v) if v == int(v) else v for k, v in record.items()
-             if k not in OWN_KEYS and isinstance(v, (int, float)) and not isinstance(v, bool) and not k.startswith("seconds")}
+             if k not in OWN_KEYS and isinstance(v, (int, float)) and not isinstance(v, bool) and not k.startswith(("seconds", "ratio"))}
             for record in records]
     if any(counts != each[0] for counts in each):
         sys.exit(f"bench: {records[0]['name']}: counts differ from repetition to repetition: {each}")
