@@ -9,67 +9,10 @@
 // Any objective law serves: it sees C through its upper triangular Cholesky factor, U^T U = C, for which S(C) = U^-1 P(U).
 #pragma once
 
+#include "physics/cholesky_factor.hpp"
 #include "physics/materials/lift.hpp"
-#include "physics/tensor.hpp"
 
 namespace mortise {
-
-/// Right Cauchy-Green tensor C = U^T U by Cholesky, U upper triangular: a deformation gradient for laws that ask for one.
-template <class T>
-struct CholeskyFactor {
-  Tensor3<T> U;
-  T reciprocal[3];  ///< 1 / U_ii
-
-  /// @param C symmetric and positive definite [-]
-  explicit CholeskyFactor(const Tensor3<T>& C) {
-    using std::sqrt;
-    const T zero = 0.0;
-    U(1, 0) = U(2, 0) = U(2, 1) = zero;
-    U(0, 0) = sqrt(C(0, 0));
-    reciprocal[0] = 1.0 / U(0, 0);
-    U(0, 1) = C(0, 1) * reciprocal[0];
-    U(0, 2) = C(0, 2) * reciprocal[0];
-    U(1, 1) = sqrt(C(1, 1) - U(0, 1) * U(0, 1));
-    reciprocal[1] = 1.0 / U(1, 1);
-    U(1, 2) = (C(1, 2) - U(0, 1) * U(0, 2)) * reciprocal[1];
-    U(2, 2) = sqrt(C(2, 2) - U(0, 2) * U(0, 2) - U(1, 2) * U(1, 2));
-    reciprocal[2] = 1.0 / U(2, 2);
-  }
-
-  /// U^-1 B, of which symmetry leaves the lower triangle to be found. @param B such that U^-1 B is symmetric
-  Tensor3<T> symmetric_solution(const Tensor3<T>& B) const {
-    Tensor3<T> S;
-    for (int j = 0; j < 3; ++j) S(2, j) = B(2, j) * reciprocal[2];
-    for (int j = 0; j < 2; ++j) S(1, j) = (B(1, j) - U(1, 2) * S(2, j)) * reciprocal[1];
-    S(0, 0) = (B(0, 0) - U(0, 1) * S(1, 0) - U(0, 2) * S(2, 0)) * reciprocal[0];
-    S(0, 1) = S(1, 0);
-    S(0, 2) = S(2, 0);
-    S(1, 2) = S(2, 1);
-    return S;
-  }
-
-  /// U^-T B.
-  Tensor3<T> transposed_solution(const Tensor3<T>& B) const {
-    Tensor3<T> X;
-    for (int j = 0; j < 3; ++j) {
-      X(0, j) = B(0, j) * reciprocal[0];
-      X(1, j) = (B(1, j) - U(0, 1) * X(0, j)) * reciprocal[1];
-      X(2, j) = (B(2, j) - U(0, 2) * X(0, j) - U(1, 2) * X(1, j)) * reciprocal[2];
-    }
-    return X;
-  }
-
-  /// B U^-1.
-  Tensor3<T> times_inverse(const Tensor3<T>& B) const {
-    Tensor3<T> X;
-    for (int i = 0; i < 3; ++i) {
-      X(i, 0) = B(i, 0) * reciprocal[0];
-      X(i, 1) = (B(i, 1) - X(i, 0) * U(0, 1)) * reciprocal[1];
-      X(i, 2) = (B(i, 2) - X(i, 0) * U(0, 2) - X(i, 1) * U(1, 2)) * reciprocal[2];
-    }
-    return X;
-  }
-};
 
 /// Second Piola-Kirchhoff stress S(C) = 2 dW/dC [Pa] of an objective law. @param C symmetric and positive definite [-]
 template <class T, class Law>
@@ -87,11 +30,11 @@ struct StrainStep {
 
   StrainStep(const Tensor3<double>& F_n, const Tensor3<T>& F_1) {
     Tensor3<T> dF;
-    for (int k = 0; k < 9; ++k) {
-      const int i = k / 3, j = k % 3;
-      dF(i, j) = F_1(i, j) - F_n(i, j);
-      F_m(i, j) = F_n(i, j) + 0.5 * dF(i, j);
-    }
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) {
+        dF(i, j) = F_1(i, j) - F_n(i, j);
+        F_m(i, j) = F_n(i, j) + 0.5 * dF(i, j);
+      }
     const Tensor3<T> half = transpose_times(F_m, dF);
     C_m = transpose_times(F_m, F_m);
     for (int i = 0; i < 3; ++i)
@@ -104,7 +47,12 @@ struct StrainStep {
   }
 
   /// C_m + t dC.
-  Tensor3<T> at(double t) const { return sum(C_m, scaled(T(t), dC)); }
+  Tensor3<T> at(double t) const {
+    Tensor3<T> C;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) C(i, j) = C_m(i, j) + t * dC(i, j);
+    return C;
+  }
 };
 
 /// How the energy of a step is found, so that gamma dC does not suffer from W_1 - W_n being small.
@@ -118,7 +66,7 @@ enum class EnergyDifference {
 /// to moduli times strains of order one:
 ///   negligible   |gamma dC| = c_2 rho^2,   c_2 = 0.1 ... 3:    below 3e-16 for rho < 1e-8
 ///   quadrature   truncation c_6 rho^6,     c_6 = 4e-4 ... 0.3: below 5e-15 for rho < 5e-3; round-off eps
-///   direct       round-off of W over rho:                      below 1e-13 for rho > 5e-3; no other
+///   direct       round-off of W over rho:                      below 2e-13 for rho > 5e-3; no other
 /// The smaller c are those of S ~ C^-1, the greater of S ~ J^-9 C^-1, Ogden's volumetric term, the steepest of the materials.
 /// Five points would reach rho = 0.1, but cost more than the two energies.
 inline EnergyDifference energy_difference(const Tensor3<double>& C_m, const Tensor3<double>& dC) {
@@ -184,19 +132,39 @@ void add_moduli_of_energy_excess(const Law& law, const Tensor3<double>& F_n, con
   const double square = norm_squared(dC), gamma = energy_excess(law, F_n, F_1, step, S, kind) / square;
   const Tensor3<double> S_1 = second_piola(law, step.at(0.5));
   Tensor3<double> h;
-  for (int k = 0; k < 9; ++k) {
-    const int i = k / 3, j = k % 3;
-    h(i, j) = ((S_1(i, j) - S(i, j) - 0.5 * dS(i, j)) - 2 * gamma * dC(i, j)) / square;
-    S(i, j) += gamma * dC(i, j);
-  }
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) {
+      h(i, j) = ((S_1(i, j) - S(i, j) - 0.5 * dS(i, j)) - 2 * gamma * dC(i, j)) / square;
+      S(i, j) += gamma * dC(i, j);
+    }
   const Tensor3<double> along = F_m * dC, slope = scaled(2.0, F_1 * h), B = scaled(gamma, times_transpose(F_m, F_1));
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       double* row = A[3 * i + j];
       for (int k = 0; k < 3; ++k) {
-        for (int l = 0; l < 3; ++l) row[3 * k + l] += along(i, j) * slope(k, l) + gamma * F_1(k, j) * F_m(i, l);
+        const double turn = gamma * F_1(k, j);
+        for (int l = 0; l < 3; ++l) row[3 * k + l] += along(i, j) * slope(k, l) + turn * F_m(i, l);
         row[3 * k + j] += B(i, k);
       }
+    }
+}
+
+/// A_iJkL = R_iq D_qJrL Q_kr.
+inline void transform(const Tensor3<double>& R, const double D[9][9], const Tensor3<double>& Q, double A[9][9]) {
+  double half[9][9];  // D_qJrL Q_kr
+  for (int qJ = 0; qJ < 9; ++qJ)
+    for (int L = 0; L < 3; ++L) {
+      const double d_0 = D[qJ][L], d_1 = D[qJ][3 + L], d_2 = D[qJ][6 + L];
+      half[qJ][L] = d_0 * Q(0, 0) + d_1 * Q(0, 1) + d_2 * Q(0, 2);
+      half[qJ][3 + L] = d_0 * Q(1, 0) + d_1 * Q(1, 1) + d_2 * Q(1, 2);
+      half[qJ][6 + L] = d_0 * Q(2, 0) + d_1 * Q(2, 1) + d_2 * Q(2, 2);
+    }
+  for (int J = 0; J < 3; ++J)
+    for (int kL = 0; kL < 9; ++kL) {
+      const double d_0 = half[J][kL], d_1 = half[3 + J][kL], d_2 = half[6 + J][kL];
+      A[J][kL] = R(0, 0) * d_0 + R(0, 1) * d_1 + R(0, 2) * d_2;
+      A[3 + J][kL] = R(1, 0) * d_0 + R(1, 1) * d_1 + R(1, 2) * d_2;
+      A[6 + J][kL] = R(2, 0) * d_0 + R(2, 1) * d_1 + R(2, 2) * d_2;
     }
 }
 
@@ -218,24 +186,18 @@ void algorithmic_moduli(const Law& law, const Tensor3<double>& F_n, const Tensor
       for (int l = 0; l < 3; ++l) D[3 * i + j][3 * i + l] -= S(j, l);
 
   const Tensor3<double> R_m = scaled(0.5, factor.times_inverse(step.F_m)), R_1 = factor.times_inverse(F_1);
-  double turned[9][9];
-  for (int qj = 0; qj < 9; ++qj)
-    for (int k = 0; k < 3; ++k)
-      for (int l = 0; l < 3; ++l)
-        turned[qj][3 * k + l] = D[qj][l] * R_1(k, 0) + D[qj][3 + l] * R_1(k, 1) + D[qj][6 + l] * R_1(k, 2);
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      for (int kl = 0; kl < 9; ++kl)
-        A[3 * i + j][kl] = R_m(i, 0) * turned[j][kl] + R_m(i, 1) * turned[3 + j][kl] + R_m(i, 2) * turned[6 + j][kl];
-
+  transform(R_m, D, R_1, A);
   const EnergyDifference kind = energy_difference(step.C_m, step.dC);
   if (kind != EnergyDifference::negligible) {
     const Tensor3<double> X = factor.transposed_solution(step.dC);
     Tensor3<double> dP;
-    for (int k = 0; k < 9; ++k) {
-      dP(k / 3, k % 3) = 0;
-      for (int l = 0; l < 9; ++l) dP(k / 3, k % 3) += 0.5 * D[k][l] * X(l / 3, l % 3);
-    }
+    for (int q = 0; q < 3; ++q)
+      for (int J = 0; J < 3; ++J) {
+        const double* row = D[3 * q + J];
+        double sum = 0;
+        for (int r = 0; r < 3; ++r) sum += row[3 * r] * X(r, 0) + row[3 * r + 1] * X(r, 1) + row[3 * r + 2] * X(r, 2);
+        dP(q, J) = 0.5 * sum;
+      }
     add_moduli_of_energy_excess(law, F_n, F_1, step, factor.symmetric_solution(dP), kind, S, A);
   }
   for (int i = 0; i < 3; ++i)

@@ -55,31 +55,41 @@ template <int n>
 class UnsymmetricStiffness {
  public:
   void add(const double A[9][9], const double (&grad_N)[n][3], double JxW) {
-    double g[3][width];  // JxW grad_N_b,L
+    double g[3][width];  // grad_N_b,L JxW
     for (int L = 0; L < 3; ++L)
       for (int b = 0; b < width; ++b) g[L][b] = b < n ? JxW * grad_N[b][L] : 0;
-    for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i)
+    for (int i = 0; i < 3; ++i) {
+      double T[3][3 * width];  // A_iJkL grad_N_b,L JxW
+      for (int J = 0; J < 3; ++J)
         for (int k = 0; k < 3; ++k) {
-          double T[3];  // grad_N_a,J A_iJkL
-          for (int L = 0; L < 3; ++L)
-            T[L] = grad_N[a][0] * A[3 * i][3 * k + L] + grad_N[a][1] * A[3 * i + 1][3 * k + L] +
-                   grad_N[a][2] * A[3 * i + 2][3 * k + L];
-          for (int b = 0; b < width; ++b) sum_[a][i][k][b] += T[0] * g[0][b] + T[1] * g[1][b] + T[2] * g[2][b];
+          const double* A_k = A[3 * i + J] + 3 * k;
+          const double A_0 = A_k[0], A_1 = A_k[1], A_2 = A_k[2];
+          for (int b = 0; b < width; ++b) T[J][k * width + b] = A_0 * g[0][b] + A_1 * g[1][b] + A_2 * g[2][b];
         }
+      for (int a = 0; a < n; ++a) {
+        const double g_0 = grad_N[a][0], g_1 = grad_N[a][1], g_2 = grad_N[a][2];
+        for (int kb = 0; kb < 3 * width; ++kb) sum_[a][i][kb] += g_0 * T[0][kb] + g_1 * T[1][kb] + g_2 * T[2][kb];
+      }
+    }
   }
 
   /// K_ai,bk += the sum. @param K rows of length `row_length`, the positions first
   void add_to(double* K, int row_length) const {
     for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k)
-          for (int b = 0; b < n; ++b) K[(3 * a + i) * row_length + 3 * b + k] += sum_[a][i][k][b];
+      for (int i = 0; i < 3; ++i) {
+        double* row = K + (3 * a + i) * row_length;
+        const double* sum = sum_[a][i];
+        for (int b = 0; b < n; ++b) {
+          row[3 * b] += sum[b];
+          row[3 * b + 1] += sum[width + b];
+          row[3 * b + 2] += sum[2 * width + b];
+        }
+      }
   }
 
  private:
   static constexpr int width = n + n % 2;
-  double sum_[n][3][3][width] = {};
+  double sum_[n][3][3 * width] = {};
 };
 
 }  // namespace mortise

@@ -15,6 +15,8 @@ struct EnergyMomentum {
   using Geometry = typename Standard<E>::Geometry;
   static constexpr int n_pressures = 0, n_local = 0;
 
+  static Geometry geometry(const ElementNodes<E>& X) { return reference_geometry<E>(X); }
+
   /// An objective law, and where the step began.
   template <class Law>
   struct Since {

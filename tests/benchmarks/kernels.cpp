@@ -1,5 +1,5 @@
-// Speed of the kernels: moduli of every material, one hex8 element by every route, one facet pair by value and with its complete
-// derivative.
+// Speed of the kernels: moduli of every material, one hex8 element by every route and over a time step, one facet pair by value
+// and with its complete derivative.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "assembly/stress_and_moduli.hpp"
 #include "deck/names.hpp"
+#include "physics/formulations/energy_momentum.hpp"
 #include "support/elements.hpp"
 #include "support/materials.hpp"
 #include "support/random_pairs.hpp"
@@ -53,6 +54,26 @@ void element_tangent(benchmark::State& state, const Material& material, TangentK
   }
 }
 
+/// The forces of energy-momentum schemes and their tangent over a step of about 1e-3 strain.
+void energy_momentum_tangent(benchmark::State& state, const Material& material, TangentKind kind) {
+  using Formulation = EnergyMomentum<Hex8>;
+  Sample one(material);
+  const auto law = MaterialLaw::whole(one.material, kind == TangentKind::analytic ? ModuliKind::analytic : ModuliKind::automatic);
+  const Formulation::Since<MaterialLaw> since{law, one.x.data()};
+  const auto geometry = Formulation::geometry(one.element.X);
+  Random random(3);
+  auto x = one.x;
+  for (double& coordinate : x) coordinate += random.in(-1e-3, 1e-3);
+  const std::vector<double> scale(x.size(), 1.0);
+  for (auto _ : state) {
+    std::fill(one.r.begin(), one.r.end(), 0.0);
+    std::fill(one.K.begin(), one.K.end(), 0.0);
+    benchmark::DoNotOptimize(mortise::element_tangent<Formulation>(kind, best_step(kind), since, geometry, x.data(), scale.data(),
+                                                                   one.r.data(), one.K.data()));
+    benchmark::ClobberMemory();
+  }
+}
+
 /// One hex8 by every route, for a cheap, a usual and a dear material.
 bool register_elements() {
   const std::pair<const char*, Material> materials[]{
@@ -63,6 +84,10 @@ bool register_elements() {
     for (const auto& [kind_name, kind] : tangent_names)
       benchmark::RegisterBenchmark((std::string("element_tangent/") + name + "/" + kind_name).c_str(), element_tangent, material,
                                    kind)
+          ->Unit(benchmark::kMicrosecond);
+    for (const auto& [kind_name, kind] : tangent_names)
+      benchmark::RegisterBenchmark((std::string("energy_momentum_tangent/") + name + "/" + kind_name).c_str(),
+                                   energy_momentum_tangent, material, kind)
           ->Unit(benchmark::kMicrosecond);
   }
   return true;

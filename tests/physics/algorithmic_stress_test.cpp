@@ -35,6 +35,17 @@ std::vector<Step> steps_of_size(double size) {
 const std::vector<double> sizes{1e-1, 3e-2, 1e-2, 3e-3,  1e-3,  1e-4,  1e-5,  1e-6,
                                 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
 
+/// Steps with rho = sqrt(tr (C_m^-1 dC)^2) near a value small against 1 [-].
+std::vector<Step> steps_of_strain(double rho) {
+  std::vector<Step> steps = steps_of_size(1e-3);
+  for (Step& step : steps) {
+    const StrainStep<double> strain = step.strain();
+    const Tensor3<double> M = scaled(1 / det(strain.C_m), cofactor(strain.C_m) * strain.dC);
+    step.F_1 = sum(step.F_n, scaled(rho / std::sqrt((M * M)(0, 0) + (M * M)(1, 1) + (M * M)(2, 2)), step.dF()));
+  }
+  return steps;
+}
+
 double distance(const Tensor3<double>& A, const Tensor3<double>& B) { return std::sqrt(norm_squared(increment(A, B))); }
 
 /// W_1 - W_n [J/m^3] as the work of the stress along the straight line from F_n to F_1: it keeps its digits in steps of any size.
@@ -65,11 +76,14 @@ class AlgorithmicStress : public ::testing::Test {
   /// Of S(C_m) alone.
   Tensor3<double> P_m(const Step& step) const { return P(step, EnergyDifference::negligible); }
 
+  /// Size of stresses [Pa]: that of the stress, and of moduli where there is none.
+  double scale(const Step& step) const { return std::sqrt(norm_squared(P_m(step))) + stiffness; }
+
   std::vector<double> moduli(const Step& step) const {
     Tensor3<double> stress;
     double A[9][9];
     algorithmic_moduli(material, step.F_n, step.F_1, stress, A);
-    EXPECT_LE(distance(stress, P(step)), 1e-13 * stiffness);
+    EXPECT_LE(distance(stress, P(step)), 1e-12 * scale(step));
     return {&A[0][0], &A[0][0] + 81};
   }
 };
@@ -81,16 +95,13 @@ static_assert(std::variant_size_v<Material> == 1 + 10, "a new objective material
 TYPED_TEST_SUITE(AlgorithmicStress, ObjectiveMaterials);
 
 TYPED_TEST(AlgorithmicStress, DoesTheWorkThatTheEnergyTakesUp) {
-  double worst = 0;
   for (double size : sizes)
     for (const auto& step : steps_of_size(size)) {
       const auto stress = this->P(step);
       const double scale = std::sqrt(norm_squared(stress)) * step.size();
       const double error = std::abs(double_dot(stress, step.dF()) - energy_difference_along_line(this->material, step));
       EXPECT_LE(error, 1e-12 * scale) << size;
-      worst = std::max(worst, error / scale);
     }
-  printf("work: %.2e\n", worst);
 }
 
 /// The reference above, against energies in long double, where they have enough digits, and in double.
@@ -99,7 +110,7 @@ TYPED_TEST(AlgorithmicStress, IsComparedWithEnergiesThatAreRight) {
     for (const auto& step : steps_of_size(size)) {
       const double along = energy_difference_along_line(this->material, step);
       const double direct = this->material.strain_energy(step.F_1) - this->material.strain_energy(step.F_n);
-      EXPECT_NEAR(along, direct, 1e-14 * this->stiffness);
+      EXPECT_NEAR(along, direct, 1e-14 * (std::abs(direct) + this->scale(step)));
       if constexpr (TestFixture::has_long_double) {
         Tensor3<long double> F_n, F_1;
         for (int k = 0; k < 9; ++k) {
@@ -117,25 +128,26 @@ TYPED_TEST(AlgorithmicStress, IsTheStressItselfInAStepWithoutStrain) {
   Random random(4);
   for (const auto& F : some_deformations()) {
     const auto stress = this->material.first_piola(F);
-    EXPECT_LE(distance(this->P({F, F}), stress), 1e-14 * (std::sqrt(norm_squared(stress)) + this->stiffness));
+    EXPECT_LE(distance(this->P({F, F}), stress), 1e-14 * this->scale({F, F}));
     const Step turn{F, random.rotation() * F};  // S* = S, and P* = F_m S
     const auto S = scaled(1 / det(F), transpose_times(cofactor(F), stress));
-    EXPECT_LE(distance(this->P(turn), turn.strain().F_m * S), 1e-13 * (std::sqrt(norm_squared(stress)) + this->stiffness));
+    EXPECT_LE(distance(this->P(turn), turn.strain().F_m * S), 1e-13 * this->scale({F, F}));
   }
 }
 
 TYPED_TEST(AlgorithmicStress, DiffersFromTheStressOfTheMeanStrainBySecondOrder) {
-  const auto correction = [&](const Step& step) { return distance(this->P(step), this->P_m(step)); };
-  const auto steps = steps_of_size(2e-3), halves = steps_of_size(1e-3);
+  const auto correction = [&](const Step& step) { return distance(this->P(step), this->P_m(step)) / this->scale(step); };
+  const auto steps = steps_of_size(4e-4), halves = steps_of_size(2e-4);
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    ASSERT_GT(correction(steps[k]), 1e-9 * this->stiffness);
-    EXPECT_NEAR(correction(steps[k]) / correction(halves[k]), 4, 0.1);
+    if (std::is_same_v<TypeParam, SaintVenantKirchhoff>) {  // its energy is quadratic in C: the mean is right
+      EXPECT_LE(correction(steps[k]), 1e-14);
+    } else {
+      ASSERT_GT(correction(steps[k]), 1e-11);
+      EXPECT_NEAR(correction(steps[k]) / correction(halves[k]), 4, 0.1);
+    }
   }
   for (double size : sizes)
-    for (const auto& step : steps_of_size(size))
-      if (size < 1e-3) {
-        EXPECT_LE(correction(step), 10 * size * size * this->stiffness + 1e-15 * this->stiffness) << size;
-      }
+    for (const auto& step : steps_of_size(size)) EXPECT_LE(correction(step), 12 * size * size + 1e-15) << size;
 }
 
 TYPED_TEST(AlgorithmicStress, IsSymmetric) {
@@ -152,30 +164,34 @@ TYPED_TEST(AlgorithmicStress, TurnsWithSpace) {
   for (double size : {1e-1, 1e-3, 1e-12})
     for (const auto& step : steps_of_size(size)) {
       const auto Q = random.rotation(), stress = this->P(step);
-      const double scale = std::sqrt(norm_squared(stress)) + this->stiffness;
-      EXPECT_LE(distance(this->P({Q * step.F_n, Q * step.F_1}), Q * stress), 1e-12 * scale);
+      EXPECT_LE(distance(this->P({Q * step.F_n, Q * step.F_1}), Q * stress), 1e-12 * this->scale(step));
     }
 }
 
 TYPED_TEST(AlgorithmicStress, HasNoJumpWhereTheEnergyIsFoundAnotherWay) {
   double upper = 0, lower = 0;
-  for (double size : {4e-3, 5e-3, 6e-3, 8e-3})
-    for (const auto& step : steps_of_size(size))
-      upper = std::max(upper, distance(this->P(step, EnergyDifference::quadrature), this->P(step, EnergyDifference::direct)));
-  for (double size : {0.5e-8, 1e-8, 2e-8})
-    for (const auto& step : steps_of_size(size))
-      lower = std::max(lower, distance(this->P(step, EnergyDifference::quadrature), this->P_m(step)));
-  EXPECT_LE(upper, 1e-12 * this->stiffness);
-  EXPECT_LE(lower, 1e-14 * this->stiffness);
-  printf("jumps: %.2e %.2e\n", upper / this->stiffness, lower / this->stiffness);
+  for (double rho : {4e-3, 5e-3, 6e-3})
+    for (const auto& step : steps_of_strain(rho)) {
+      const auto one = this->P(step, EnergyDifference::quadrature), other = this->P(step, EnergyDifference::direct);
+      upper = std::max(upper, distance(one, other) / this->scale(step));
+    }
+  for (double rho : {0.8e-8, 1e-8, 1.2e-8})
+    for (const auto& step : steps_of_strain(rho))
+      lower = std::max(lower, distance(this->P(step, EnergyDifference::quadrature), this->P_m(step)) / this->scale(step));
+  EXPECT_LE(upper, 1e-12);
+  EXPECT_LE(lower, 4e-15);
 }
 
 TYPED_TEST(AlgorithmicStress, HasModuliThatAreItsDerivative) {
-  for (double size : {1e-1, 1e-2, 1e-3})
-    for (const auto& step : steps_of_size(size)) {
-      const auto stress = [&](const std::vector<double>& F) { return entries(this->P({step.F_n, tensor(F)})); };
-      EXPECT_TRUE(is_derivative(this->moduli(step), stress, entries(step.F_1))) << size;
-    }
+  for (const auto& step : steps_of_size(0.1)) {
+    // It has the round-off of energies over |dC|: beside a constant of that size it is expected.
+    const auto stress = [&](const std::vector<double>& F) {
+      auto P = entries(this->P({step.F_n, tensor(F)}));
+      for (double& entry : P) entry += this->scale(step) / 0.1;
+      return P;
+    };
+    EXPECT_TRUE(is_derivative(this->moduli(step), stress, entries(step.F_1), {1e-3}));
+  }
 }
 
 /// By AD and by complex step. Both, like the closed form, divide differences of stresses by |dC|: round-off is eps |S| / |dC|,
@@ -184,11 +200,12 @@ TYPED_TEST(AlgorithmicStress, HasTheSameModuliByEveryRoute) {
   using Fad = Sacado::CacheFad::SFad<double, 10>;
   using Complex = std::complex<double>;
   constexpr double h = 1e-100;
-  double worst[3] = {};
   for (double size : sizes)
     for (const auto& step : steps_of_size(size)) {
       const auto A = this->moduli(step);
-      const double tolerance = (size >= 1e-4 ? 1e-10 : 1e-10 + 1e-14 / size * (size > 1e-8)) * largest(A);
+      const StrainStep<double> strain = step.strain();
+      const bool has_correction = energy_difference(strain.C_m, strain.dC) != EnergyDifference::negligible;
+      const double tolerance = (has_correction ? 2e-11 + 5e-15 / size : 1e-13) * largest(A);
       Tensor3<Fad> F_ad;
       for (int k = 0; k < 9; ++k) {
         F_ad(k / 3, k % 3).val() = step.F_1(k / 3, k % 3);
@@ -202,12 +219,9 @@ TYPED_TEST(AlgorithmicStress, HasTheSameModuliByEveryRoute) {
         for (int k = 0; k < 9; ++k) {
           EXPECT_NEAR(A[9 * k + l], P_ad(k / 3, k % 3).fastAccessDx(l), tolerance) << size;
           EXPECT_NEAR(A[9 * k + l], P_c(k / 3, k % 3).imag() / h, tolerance) << size;
-          double& w = worst[size > 6e-3 ? 0 : size >= 1e-4 ? 1 : 2];
-          w = std::max(w, std::abs(A[9 * k + l] - P_ad(k / 3, k % 3).fastAccessDx(l)) / largest(A) * (size < 1e-4 ? size : 1));
         }
       }
     }
-  printf("moduli: %.2e %.2e %.2e\n", worst[0], worst[1], worst[2]);
 }
 
 TEST(EnergyDifferenceOfAStep, IsFoundInTheWayThatSuitsItsSize) {

@@ -1,9 +1,10 @@
-// The moduli of a material are computed without asking for memory: this program counts what it asks for.
+// Moduli of materials and of steps are computed without asking for memory: this program counts what it asks for.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
 #include <new>
 
+#include "physics/algorithmic_stress.hpp"
 #include "support/materials.hpp"
 
 namespace {
@@ -36,6 +37,11 @@ TYPED_TEST(ModuliOfEveryMaterial, NeedNoMemory) {
     material.moduli(F, P, A);
     sum += A[0][0] + material.first_piola(F)(1, 1) + material.strain_energy(F);
     if constexpr (is_split<TypeParam>) sum += material.distortional().strain_energy(F);
+    for (double share : {1e-9, 1e-3, 1e-1}) {
+      const auto F_1 = scaled(1 + share, F);
+      algorithmic_moduli(material, F, F_1, P, A);
+      sum += A[0][0] + algorithmic_first_piola(material, F, F_1)(1, 1);
+    }
   }
   EXPECT_EQ(n_allocations - before, 0);
   EXPECT_GT(sum, 0);
