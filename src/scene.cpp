@@ -55,6 +55,7 @@ class SceneMaker {
     scene_.title = options_.title;
     scene_.mesh = combine(meshes);
     scene_.time = options_.time;
+    scene_.scheme = scheme_of(options_.time.scheme);
     scene_.solver = options_.solver;
     scene_.output = options_.output;
     scene_.checkpoints = options_.checkpoints;
@@ -137,7 +138,9 @@ class SceneMaker {
                 small_strain_moduli(material).youngs_modulus(),
                 0,
                 of_material.density,
-                o.rayleigh};
+                o.mass,
+                o.rayleigh,
+                initial_motion(name)};
       for (int b : blocks) {
         if (!owner[b].empty())
           error("D19", {"bodies", name},
@@ -205,6 +208,12 @@ class SceneMaker {
     }
   }
 
+  std::optional<InitialOptions> initial_motion(const std::string& body) const {
+    for (const auto& [name, o] : options_.initial_conditions)
+      if (name == body) return o;
+    return std::nullopt;
+  }
+
   void check_elements(const std::string& name, const Body& body) {
     for (int e : body.elements) {
       const ElementType type = element_type(scene_.mesh.mesh, e);
@@ -217,7 +226,7 @@ class SceneMaker {
 
   /// A mass matrix by fewer points than the element has nodes is singular.
   void check_mass(const std::string& name, const Body& body) {
-    if (body.rayleigh.mass_kind != MassKind::stiffness_rule) return;
+    if (body.mass_kind != MassKind::stiffness_rule) return;
     for (int e : body.elements) {
       const ElementType type = element_type(scene_.mesh.mesh, e);
       const bool is_regular = with_element(
@@ -356,6 +365,7 @@ class SceneMaker {
     for (const Point& X : scene_.mesh.mesh.coordinates)
       for (double x : X) extent = std::max(extent, std::abs(x));
     scene_.size = size;
+    scene_.extent = extent;
     scene_.force_floor = 1e-14 * modulus * size * (size + extent);
   }
 

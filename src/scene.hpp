@@ -27,7 +27,9 @@ struct Body {
   double youngs_modulus;          ///< at small strain [Pa], for scales
   double size;                    ///< edge of a cube with the mean element volume [m]
   std::optional<double> density;  ///< mass per reference volume [kg/m^3]
+  MassKind mass_kind;
   RayleighOptions rayleigh;
+  std::optional<InitialOptions> initial;  ///< none: at rest, in its reference position
 };
 
 /// Two surfaces that may meet.
@@ -68,12 +70,14 @@ struct Scene {
   std::vector<int> first_pressure;
   std::vector<Probe> probes;
   TimeOptions time;
+  TimeScheme scheme;
   SolverOptions solver;
   OutputOptions output;
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater
   double size;         ///< smallest body element size [m]
+  double extent;       ///< greatest reference coordinate [m]
 
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
   /// The point that carries pressure `m` of element `e` (see DofSpace).

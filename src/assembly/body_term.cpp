@@ -40,9 +40,21 @@ bool BodyTerm::add_force(const double* x, double* f) const {
   return true;
 }
 
-bool BodyTerm::add_tangent(const double* x, double* f, SystemMatrix& K) const {
+bool BodyTerm::add_tangent(const double* x, double factor, double* f, SystemMatrix& K) const {
   for (const auto& block : blocks_)
-    if (!std::visit([&](const auto& b) { return b.add_tangent(x, f, K); }, block)) return false;
+    if (!std::visit([&](const auto& b) { return b.add_tangent(x, factor, f, K); }, block)) return false;
+  return true;
+}
+
+bool BodyTerm::add_algorithmic_force(const double* x_n, const double* x, double* f) const {
+  for (const auto& block : blocks_)
+    if (!std::visit([&](const auto& b) { return b.add_algorithmic_force(x_n, x, f); }, block)) return false;
+  return true;
+}
+
+bool BodyTerm::add_algorithmic_tangent(const double* x_n, const double* x, double* f, SystemMatrix& K) const {
+  for (const auto& block : blocks_)
+    if (!std::visit([&](const auto& b) { return b.add_algorithmic_tangent(x_n, x, f, K); }, block)) return false;
   return true;
 }
 

@@ -21,8 +21,13 @@ class BodyTerm {
   /// Adds f_int(x) to `f` (both on the overlap). @return false if a state is inadmissible on this rank
   bool add_force(const double* x, double* f) const;
 
-  /// The same, and K = df_int/dx into the matrix.
-  bool add_tangent(const double* x, double* f, SystemMatrix& K) const;
+  /// The same, and K = df_int/dx into the matrix. @param factor on the columns of positions: dx/dq of the time scheme
+  bool add_tangent(const double* x, double factor, double* f, SystemMatrix& K) const;
+
+  /// Adds the energy-momentum force of a step from `x_n` to `x` (thesis eq. 5.61), and its derivative with respect to `x`.
+  /// Precondition: standard elements (the deck reader sees to it).
+  bool add_algorithmic_force(const double* x_n, const double* x, double* f) const;
+  bool add_algorithmic_tangent(const double* x_n, const double* x, double* f, SystemMatrix& K) const;
 
   /// The tangent is the same at every state: elements without unknowns or means of their own, and a stress that is linear in F.
   bool has_constant_tangent() const;

@@ -1,22 +1,8 @@
 #include "assembly/damping_term.hpp"
 
+#include "assembly/element_mass.hpp"
+
 namespace mortise {
-namespace {
-
-/// int N_a N_b dV [m^3] of the kind, n x n row-major.
-template <class Element>
-std::array<double, Element::n_nodes * Element::n_nodes> mass_over_density(MassKind kind, const ElementNodes<Element>& X) {
-  if (kind == MassKind::stiffness_rule) return mass_matrix<Element>(X, Element::stiffness_rule);
-  const auto consistent = mass_matrix<Element>(X, Element::mass_rule);
-  if (kind == MassKind::consistent) return consistent;
-  std::array<double, Element::n_nodes * Element::n_nodes> diagonal{};
-  const auto lumped = lumped_mass<Element>(consistent);
-  for (std::size_t a = 0; a < lumped.size(); ++a) diagonal[a * (Element::n_nodes + 1)] = lumped[a];
-  return diagonal;
-}
-
-}  // namespace
-
 DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const double* reference, const DofSpace& dofs) {
   const Mesh& mesh = scene.mesh.mesh;
   const Body& body = body_term.body();
@@ -42,7 +28,7 @@ DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const do
           for (std::size_t l = 0; l < n; ++l) element.C[k * n + l] = body.rayleigh.stiffness * K[k * n_global + l];
       }
       if (body.rayleigh.mass > 0) {
-        const auto M = mass_over_density<Shape>(body.rayleigh.mass_kind, X);
+        const auto M = mass_over_density<Shape>(body.mass_kind, X);
         for (std::size_t a = 0; a < X.size(); ++a)
           for (std::size_t b = 0; b < X.size(); ++b)
             for (int i = 0; i < 3; ++i)

@@ -21,9 +21,9 @@ DeadLoads::DeadLoads(const Scene& scene, const Partition& partition, const DofSp
     for (int rank : partition.element_rank) is_mine_.push_back(rank == dofs.comm()->getRank());
 }
 
-void DeadLoads::add(double t, double* f, std::string& fault) const {
+void DeadLoads::add(double step_end, double t, double* f, std::string& fault) const {
   for (const Part& part : parts_)
-    if (part.load.activity.acts_at(t)) std::visit([&](const auto& what) { add(part, what, t, f, fault); }, part.load.what);
+    if (part.load.activity.acts_at(step_end)) std::visit([&](const auto& what) { add(part, what, t, f, fault); }, part.load.what);
 }
 
 void DeadLoads::add(const Part& part, const forces::SideTraction& load, double t, double* f, std::string& fault) const {

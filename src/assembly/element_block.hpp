@@ -2,12 +2,15 @@
 #pragma once
 
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "assembly/element_tangent.hpp"
 #include "assembly/material_law.hpp"
 #include "assembly/system_matrix.hpp"
 #include "physics/condensation.hpp"
+#include "physics/formulations/energy_momentum.hpp"
+#include "physics/formulations/standard.hpp"
 
 namespace mortise {
 
@@ -28,6 +31,7 @@ class ElementBlock {
  public:
   using Element = typename Formulation::Element;
   static constexpr int n_nodes = Element::n_nodes, n_pressures = Formulation::n_pressures;
+  static constexpr bool has_discrete_gradient = std::is_same_v<Formulation, Standard<Element>>;
 
   ElementBlock(const MaterialLaw& law, TangentKind kind) : law_(law), kind_(kind), stiffness_(shear_modulus(law)) {}
 
@@ -72,14 +76,50 @@ class ElementBlock {
     return true;
   }
 
-  bool add_tangent(const double* x, double* f, SystemMatrix& matrix) const {
+  /// @param factor on the columns of positions
+  bool add_tangent(const double* x, double factor, double* f, SystemMatrix& matrix) const {
     for (std::size_t e = 0; e < size(); ++e) {
       double r[n_global], K[n_global * n_global];
       if (!tangent(kind_, best_step(kind_), law_, e, x, r, K)) return false;
       scatter(e, r, f);
+      if (factor != 1) scale_columns(factor, K);
       matrix.add(first_cell_ + e, K);
     }
     return true;
+  }
+
+  /// Energy-momentum force of a step from `x_n` to `x`. @throws std::logic_error if the formulation has none
+  bool add_algorithmic_force(const double* x_n, const double* x, double* f) const {
+    if constexpr (has_discrete_gradient) {
+      for (std::size_t e = 0; e < size(); ++e) {
+        double y_n[n_all], y[n_all], r[n_all] = {};
+        gather(e, x_n, y_n);
+        gather(e, x, y);
+        if (!EnergyMomentum<Element>::add_residual(since(y_n), geometry_[e], y, r)) return false;
+        scatter(e, r, f);
+      }
+      return true;
+    } else {
+      throw std::logic_error("a formulation without a discrete gradient");
+    }
+  }
+
+  bool add_algorithmic_tangent(const double* x_n, const double* x, double* f, SystemMatrix& matrix) const {
+    if constexpr (has_discrete_gradient) {
+      for (std::size_t e = 0; e < size(); ++e) {
+        double y_n[n_all], y[n_all], r[n_all] = {}, K[n_all * n_all] = {};
+        gather(e, x_n, y_n);
+        gather(e, x, y);
+        const std::array<double, n_all> scale = takes_steps(kind_) ? scales(e) : std::array<double, n_all>{};
+        if (!element_tangent<EnergyMomentum<Element>>(kind_, best_step(kind_), since(y_n), geometry_[e], y, scale.data(), r, K))
+          return false;
+        scatter(e, r, f);
+        matrix.add(first_cell_ + e, K);
+      }
+      return true;
+    } else {
+      throw std::logic_error("a formulation without a discrete gradient");
+    }
   }
 
   /// Residual and tangent of one element by any kind, local unknowns eliminated; overwrites r and K.
@@ -150,6 +190,13 @@ class ElementBlock {
 
  private:
   static constexpr int n_global = Count<Formulation>::global, n_all = Count<Formulation>::all;
+
+  typename EnergyMomentum<Element>::template Since<MaterialLaw> since(const double* y_n) const { return {law_, y_n}; }
+
+  static void scale_columns(double factor, double* K) {
+    for (int r = 0; r < n_global; ++r)
+      for (int c = 0; c < 3 * n_nodes; ++c) K[r * n_global + c] *= factor;
+  }
 
   void gather(std::size_t e, const double* x, double* y) const {
     for (int a = 0; a < n_nodes; ++a)

@@ -31,10 +31,10 @@ void FollowerTerm::append_cells(std::vector<Cell>& cells) {
   for (const LocalSide& side : sides_) cells.push_back(side.nodes);
 }
 
-void FollowerTerm::set_time(double t, std::string& fault) {
+void FollowerTerm::set_time(double step_end, double t, std::string& fault) {
   values_.clear();
   first_value_.clear();
-  if (!load_.activity.acts_at(t)) return;
+  if (!load_.activity.acts_at(step_end)) return;
   const auto* traction = std::get_if<forces::SideTraction>(&load_.what);
   const auto* pressure = std::get_if<forces::SidePressure>(&load_.what);
   for (const LocalSide& side : sides_) {
@@ -68,7 +68,7 @@ void FollowerTerm::add_force(const double* x, double* f) const {
     });
 }
 
-void FollowerTerm::add_tangent(const double* x, double* f, SystemMatrix& matrix) const {
+void FollowerTerm::add_tangent(const double* x, double factor, double* f, SystemMatrix& matrix) const {
   if (values_.empty()) return;
   for (std::size_t s = 0; s < sides_.size(); ++s)
     with_side(static_cast<int>(sides_[s].nodes.size()), [&](auto kind) {
@@ -77,6 +77,7 @@ void FollowerTerm::add_tangent(const double* x, double* f, SystemMatrix& matrix)
       tangent(TangentKind::whole_element, 0, s, x, r, K);
       for (double& component : r) component = -component;
       scatter(sides_[s].local, r, f);
+      for (double& entry : K) entry *= factor;
       matrix.add(first_cell_ + s, K);
     });
 }

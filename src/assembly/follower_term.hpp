@@ -21,15 +21,16 @@ class FollowerTerm {
   /// One cell per side, appended; `add_tangent` counts from there.
   void append_cells(std::vector<Cell>& cells);
 
-  /// Evaluates the load at time `t` at all quadrature points; where it does not act, there is no force until the next call.
+  /// Evaluates the load at time `t` at all quadrature points; where it does not act in the step that ends at `step_end`, there is
+  /// no force until the next call.
   /// @param fault gets the first message about a formula without a finite value; ranks may differ
-  void set_time(double t, std::string& fault);
+  void set_time(double step_end, double t, std::string& fault);
 
   /// Adds f_ext(x) [N] to `f` (both on the overlap).
   void add_force(const double* x, double* f) const;
 
-  /// The same, and -df_ext/dx into the matrix: the term's share of the residual is -f_ext.
-  void add_tangent(const double* x, double* f, SystemMatrix& K) const;
+  /// The same, and -df_ext/dx into the matrix: the term's share of the residual is -f_ext. @param factor dx/dq of the time scheme
+  void add_tangent(const double* x, double factor, double* f, SystemMatrix& K) const;
 
   const std::vector<LocalSide>& sides() const { return sides_; }
   double size(std::size_t side) const { return sizes_[side]; }  ///< square root of the reference area [m]

@@ -261,19 +261,34 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
     }
 }
 
-void MortarTerm::add_tangent(const double* a, const double* b, const double* c, SystemMatrix& K) const {
+void MortarTerm::add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const {
   std::vector<double> scaled;
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     const Facet& facet = facets_[k];
     if (facet.matrix.empty()) continue;
     const std::size_t n = width(facet);
     scaled.assign(facet.matrix.begin(), facet.matrix.begin() + n * n);
+    if (force_weight != 1)
+      for (std::size_t j = 0; j < (n - 4) * n; ++j) scaled[j] *= force_weight;
     for (int I = 0; I < 4; ++I) {
       const int pressure = dofs_.local(pressure_point(facet.corner[I]));
       double* row = &scaled[(n - 4 + I) * n];
       const double *covered = &facet.matrix[(n + I) * n], *whole = &facet.matrix[(n + 4 + I) * n];
       for (std::size_t j = 0; j < n; ++j) row[j] = a[pressure] * row[j] + b[pressure] * covered[j] + c[pressure] * whole[j];
     }
+    K.add(first_cell_ + k, scaled.data());
+  }
+}
+
+void MortarTerm::add_force_tangent(double weight, double theta, SystemMatrix& K) const {
+  std::vector<double> scaled;
+  for (std::size_t k = 0; k < facets_.size(); ++k) {
+    const Facet& facet = facets_[k];
+    if (facet.matrix.empty()) continue;
+    const std::size_t n = width(facet), n_positions = n - 4;
+    scaled.assign(n * n, 0.0);
+    for (std::size_t r = 0; r < n_positions; ++r)
+      for (std::size_t j = 0; j < n; ++j) scaled[r * n + j] = weight * (j < n_positions ? theta : 1.0) * facet.matrix[r * n + j];
     K.add(first_cell_ + k, scaled.data());
   }
 }

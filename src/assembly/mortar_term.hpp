@@ -46,8 +46,12 @@ class MortarTerm {
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums);
 
   /// Adds the tangent; the row of a pressure is  a d(weighted gap) + b d(covered area) + c d(whole area).
-  /// @param a, b, c factors (overlap, at the pressures' indices)
-  void add_tangent(const double* a, const double* b, const double* c, SystemMatrix& K) const;
+  /// @param a, b, c factors (overlap, at the pressures' indices)  @param force_weight factor on the rows of forces
+  void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const;
+
+  /// Adds the rows of forces alone, for forces that act elsewhere than where gaps close.
+  /// @param weight factor on them  @param theta further factor on their columns of positions: dx/dq of the time scheme
+  void add_force_tangent(double weight, double theta, SystemMatrix& K) const;
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }

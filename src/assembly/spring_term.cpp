@@ -31,14 +31,15 @@ void SpringTerm::add_force(const double* x, double* f) const {
               spring_.stiffness[i] * e.S[a * e.nodes.size() + b] * (x[e.local[b] + i] - mesh_.coordinates[e.nodes[b]][i]);
 }
 
-void SpringTerm::add_stiffness(SystemMatrix& matrix) const {
+void SpringTerm::add_stiffness(double factor, SystemMatrix& matrix) const {
   std::vector<double> K;
   for (std::size_t k = 0; k < elements_.size(); ++k) {
     const std::size_t n = elements_[k].nodes.size();
     K.assign(9 * n * n, 0.0);
     for (std::size_t a = 0; a < n; ++a)
       for (std::size_t b = 0; b < n; ++b)
-        for (int i = 0; i < 3; ++i) K[(3 * a + i) * 3 * n + 3 * b + i] = spring_.stiffness[i] * elements_[k].S[a * n + b];
+        for (int i = 0; i < 3; ++i)
+          K[(3 * a + i) * 3 * n + 3 * b + i] = factor * spring_.stiffness[i] * elements_[k].S[a * n + b];
     matrix.add(first_cell_ + k, K.data());
   }
 }

@@ -21,8 +21,8 @@ class SpringTerm {
   /// Adds the force at positions `x` to `f` (both on the overlap).
   void add_force(const double* x, double* f) const;
 
-  /// Adds k S into the matrix.
-  void add_stiffness(SystemMatrix& K) const;
+  /// Adds factor k S into the matrix.
+  void add_stiffness(double factor, SystemMatrix& K) const;
 
   /// Stored on this rank [J].
   double energy(const double* x) const;

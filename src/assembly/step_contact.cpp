@@ -123,7 +123,8 @@ void StepProblem::find_normal_stiffness() {
 }
 
 State StepProblem::initial_state() {
-  State state{0, reference_state(), search_};
+  State state{0, reference_state(), search_, Teuchos::null, Teuchos::null};
+  start_motion(state);
   if (pairs_.empty()) return state;
 
   const Evaluation at_rest = evaluate(*state.x);

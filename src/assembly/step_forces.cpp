@@ -27,14 +27,50 @@ std::string StepProblem::begin_step(const State& from, double t) {
   dt_ = t - from.time;
   start_x_ = to_overlap(*from.x);
   if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
+  scheme_ = dt_ > 0 ? scene_.scheme : scene_.scheme.at_rest();
+  kinematics_ = scheme_.kinematics(dt_);
+  start_v_ = from.v.is_null() ? Teuchos::null : to_overlap(*from.v);
+  start_a_ = from.a.is_null() ? Teuchos::null : to_overlap(*from.a);
+  if (scheme_.forces == ForceReading::mean) find_forces_before(from.time, fault);
   move_supports(from, t, fault);
-  if (!dead_loads_.empty()) {
-    Vector shares(dofs_.overlap_map());
-    dead_loads_.add(t, data(shares), fault);
-    dead_ = owned_sum(shares);
-  }
-  for (auto& follower : followers_) follower.set_time(t, fault);
+  const double t_force = scheme_.forces == ForceReading::mean ? t : from.time + scheme_.theta * dt_;
+  dead_ = dead(t_force, fault);
+  for (auto& follower : followers_) follower.set_time(time_, t_force, fault);
   return agreed(*dofs_.comm(), fault);
+}
+
+RCP<Vector> StepProblem::dead(double t, std::string& fault) const {
+  Vector shares(dofs_.overlap_map());
+  if (!dead_loads_.empty()) dead_loads_.add(time_, t, data(shares), fault);
+  return owned_sum(shares);
+}
+
+// Of schemes that take the mean of the forces at both ends: those at the start, where the step knows them already.
+void StepProblem::find_forces_before(double t_before, std::string& fault) {
+  Vector internal(dofs_.overlap_map());
+  for (const auto& body : bodies_) body->add_force(data(*start_x_), data(internal));
+  add_springs(*start_x_, internal);
+  internal_before_ = owned_sum(internal);
+  const auto external = dead(t_before, fault);
+  if (!followers_.empty()) {
+    Vector shares(dofs_.overlap_map());
+    for (auto& follower : followers_) {
+      follower.set_time(time_, t_before, fault);
+      follower.add_force(data(*start_x_), data(shares));
+    }
+    external->update(1.0, *owned_sum(shares), 1.0);
+  }
+  external_before_ = external;
+}
+
+RCP<Vector> StepProblem::positions_at(double theta, const RCP<Vector>& overlap_x) const {
+  if (theta == 1) return overlap_x;
+  const auto between = Teuchos::rcp(new Vector(*overlap_x, Teuchos::Copy));
+  between->update(1 - theta, *start_x_, theta);
+  double* to = data(*between);
+  const double* pressures = data(static_cast<const Vector&>(*overlap_x));
+  for (int k : overlap_pressures_) to[k] = pressures[k];
+  return between;
 }
 
 // Formulas are evaluated on every rank, so that most faults are the same on all; where a node was only its owner knows.
@@ -69,29 +105,87 @@ void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {
   }
 }
 
+// dq, v_n and a_n combined, at the rows of positions on the overlap.
+RCP<Vector> StepProblem::in_motion(const Combination& c, const Vector& overlap_x) const {
+  const auto sum = Teuchos::rcp(new Vector(dofs_.overlap_map()));
+  if (dt_ > 0) sum->update(c.dq, overlap_x, -c.dq, *start_x_, 0.0);
+  if (!start_v_.is_null() && c.v != 0) sum->update(c.v, *start_v_, 1.0);
+  if (!start_a_.is_null() && c.a != 0) sum->update(c.a, *start_a_, 1.0);
+  return sum;
+}
+
 RCP<Vector> StepProblem::damping(const Vector& overlap_x) {
   if (dampings_.empty()) return Teuchos::null;
-  Vector velocity(dofs_.overlap_map()), force(dofs_.overlap_map());
-  if (dt_ > 0) velocity.update(1 / dt_, overlap_x, -1 / dt_, *start_x_, 0.0);
-  for (const auto& term : dampings_) {
-    term.add_force(data(velocity), data(force));
-  }
+  Vector force(dofs_.overlap_map());
+  const auto velocity = in_motion(kinematics_.damping, overlap_x);
+  for (const auto& term : dampings_) term.add_force(data(*velocity), data(force));
+  return owned_sum(force);
+}
+
+RCP<Vector> StepProblem::inertia(const Vector& overlap_x) {
+  if (inertias_.empty()) return Teuchos::null;
+  Vector force(dofs_.overlap_map());
+  const auto acceleration = in_motion(kinematics_.inertia, overlap_x);
+  for (const auto& term : inertias_) term.add_force(data(*acceleration), data(force));
   return owned_sum(force);
 }
 
 RCP<Vector> StepProblem::external(const Vector& overlap_x, bool with_tangent) {
-  if (followers_.empty()) return dead_;
+  const bool is_mean = scheme_.forces == ForceReading::mean;
+  if (followers_.empty() && !is_mean) return dead_;
   Vector shares(dofs_.overlap_map());
   for (const auto& follower : followers_) {
     if (with_tangent) {
-      follower.add_tangent(data(overlap_x), data(shares), *matrix_);
+      follower.add_tangent(data(overlap_x), scheme_.theta, data(shares), *matrix_);
     } else {
       follower.add_force(data(overlap_x), data(shares));
     }
   }
   const auto sum = owned_sum(shares);
-  sum->update(1.0, *dead_, 1.0);
+  sum->update(1.0, *dead_, is_mean ? scheme_.theta : 1.0);
+  if (is_mean) sum->update(1 - scheme_.theta, *external_before_, 1.0);
   return sum;
+}
+
+// Where contact forces act, and with which weight. At the end of the step the pass that finds the gaps gives them too.
+std::vector<StepProblem::ContactPass> StepProblem::contact_passes() const {
+  if (scheme_.forces == ForceReading::mean) return {{0, 1 - scheme_.theta}, {1, scheme_.theta}};
+  return {{scheme_.constraint_theta, 1}};
+}
+
+double StepProblem::contact_weight_at_end() const {
+  double weight = 0;
+  for (const auto& pass : contact_passes())
+    if (pass.theta == 1) weight += pass.weight;
+  return weight;
+}
+
+// Adds the forces of pairs [first, end) that do not act at the end of the step, with pressures from there.
+void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end,
+                                      Vector& contact) {
+  for (const auto& pass : contact_passes()) {
+    if (pass.theta == 1 || pass.weight == 0) continue;
+    const auto x = positions_at(pass.theta, overlap_x);
+    Vector force(dofs_.overlap_map());
+    NodalSums unused(dofs_);
+    for (std::size_t k = first; k < end; ++k) {
+      pairs_[k]->integrate(data(*x), with_tangent, data(force), unused);
+      if (with_tangent) pairs_[k]->add_force_tangent(pass.weight, pass.theta, *matrix_);
+    }
+    contact.update(pass.weight, force, 1.0);
+  }
+}
+
+RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end) {
+  Vector contact(dofs_.overlap_map());
+  add_contact_between(overlap_x, false, first, end, contact);
+  if (const double weight = contact_weight_at_end(); weight != 0) {
+    Vector force(dofs_.overlap_map());
+    NodalSums unused(dofs_);
+    for (std::size_t k = first; k < end; ++k) pairs_[k]->integrate(data(*overlap_x), false, data(force), unused);
+    contact.update(weight, force, 1.0);
+  }
+  return owned_sum(contact);
 }
 
 }  // namespace mortise

@@ -32,6 +32,12 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
   for (const auto& body : bodies_)
     if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
+  if (scene.scheme.has_inertia())
+    for (const auto& body : bodies_) inertias_.emplace_back(scene, *body, dofs_);
+  for (int point : dofs_.overlap_points())
+    if (dofs_.size(point) == 1) overlap_pressures_.push_back(dofs_.local(point));
+  scheme_ = scene.scheme.at_rest();
+  kinematics_ = scheme_.kinematics(0);
   dead_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
   identity_rows_.assign(dofs_.n_owned(), 0);
   for (const auto& body : scene.bodies)
@@ -90,6 +96,7 @@ void StepProblem::build_graph() {
   for (auto& term : followers_) term.append_cells(cells);
   for (auto& term : springs_) term.append_cells(cells);
   for (auto& term : dampings_) term.append_cells(cells);
+  for (auto& term : inertias_) term.append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
   constant_.reset();
   ++counts_.graphs;
@@ -97,7 +104,8 @@ void StepProblem::build_graph() {
 
 // What does not depend on positions is added once, and stays until the graph or what it depends on changes.
 void StepProblem::refresh_constants() {
-  ConstantPart now{dampings_.empty() ? 0.0 : dt_, {}};
+  ConstantPart now{
+      scheme_.theta, dampings_.empty() ? 0.0 : kinematics_.damping.dq, inertias_.empty() ? 0.0 : kinematics_.inertia.dq, {}};
   for (const auto& spring : springs_) now.acting.push_back(spring.acts_at(time_));
   if (constant_ == now) return;
   matrix_->clear();
@@ -106,18 +114,23 @@ void StepProblem::refresh_constants() {
   const auto reference = to_overlap(*reference_state());
   for (const auto& body : bodies_) {
     if (!body->has_constant_tangent()) continue;
-    body->add_tangent(data(*reference), data(unused), *matrix_);
+    body->add_tangent(data(*reference), now.theta, data(unused), *matrix_);
     counts_.element_tangents += static_cast<long>(body->n_elements());
     is_empty = false;
   }
   for (const auto& spring : springs_)
     if (spring.acts_at(time_)) {
-      spring.add_stiffness(*matrix_);
+      spring.add_stiffness(now.theta, *matrix_);
       is_empty = false;
     }
-  if (dt_ > 0)
+  if (now.damping != 0)
     for (const auto& term : dampings_) {
-      term.add_tangent(1 / dt_, *matrix_);
+      term.add_tangent(now.damping, *matrix_);
+      is_empty = false;
+    }
+  if (now.inertia != 0)
+    for (const auto& term : inertias_) {
+      term.add_tangent(now.inertia, *matrix_);
       is_empty = false;
     }
   if (!is_empty) matrix_->keep_as_constant();
@@ -191,6 +204,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   if (!std::isfinite(x.norm2())) return out;
   update_search(x, *overlap_x);
 
+  const auto at_theta = scheme_.forces == ForceReading::mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
   Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());
   NodalSums sums(dofs_);
   int admissible = 1;
@@ -200,32 +214,33 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       refresh_constants();
       matrix_->reset();
     }
-    for (auto& body : bodies_) {
-      const bool adds_tangent = with_tangent && !body->has_constant_tangent();
-      const bool good = adds_tangent ? body->add_tangent(data(*overlap_x), data(internal), *matrix_)
-                                     : body->add_force(data(*overlap_x), data(internal));
-      if (!good) admissible = 0;
-      if (adds_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
-    }
+    admissible = add_internal(*overlap_x, *at_theta, with_tangent, internal);
     admissible = all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, admissible);
   }
   if (!admissible) return out;
   out.admissible = true;
+  const double weight_at_end = contact_weight_at_end();
   {
     const Stopwatch watch(counts_.seconds_contact);
-    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(contact), sums);
+    add_contact_between(overlap_x, with_tangent, 0, pairs_.size(), contact);
+    Vector at_end(dofs_.overlap_map());
+    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(at_end), sums);
+    contact.update(weight_at_end, at_end, 1.0);
   }
 
-  add_springs(*overlap_x, internal);
+  add_springs(*at_theta, internal);
   out.internal = owned_sum(internal);
+  if (scheme_.forces == ForceReading::mean) out.internal->update(1 - scheme_.theta, *internal_before_, scheme_.theta);
   out.damping = damping(*overlap_x);
+  out.inertia = inertia(*overlap_x);
   out.contact = owned_sum(contact);
-  out.external = external(*overlap_x, with_tangent);
+  out.external = external(*at_theta, with_tangent);
   out.gap = owned_sum(sums.weighted_gap);  // weighted until the law divides by the area
   out.area = owned_sum(sums.covered_area);
   out.unbalanced = Teuchos::rcp(new Vector(*out.internal, Teuchos::Copy));
   out.unbalanced->update(1.0, *out.contact, -1.0, *out.external, 1.0);
   if (!out.damping.is_null()) out.unbalanced->update(1.0, *out.damping, 1.0);
+  if (!out.inertia.is_null()) out.unbalanced->update(1.0, *out.inertia, 1.0);
   out.residual = Teuchos::rcp(new Vector(*out.unbalanced, Teuchos::Copy));
   out.prescribed = acting_;
 
@@ -254,13 +269,15 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.pressure_residual = greatest[2];
   out.pressure_scale = greatest[3];
   out.volume_residual = greatest[4];
-  out.force_scale = std::max({norm_of_forces(*out.internal), norm_of_forces(*out.external), norm_of_forces(*out.contact)});
+  out.force_scale = std::max({norm_of_forces(*out.internal), norm_of_forces(*out.external), norm_of_forces(*out.contact),
+                              out.inertia.is_null() ? 0.0 : norm_of_forces(*out.inertia)});
+  out.force_floor = round_off_of_forces();
 
   if (with_tangent) {
     {
       const Stopwatch watch(counts_.seconds_contact);
       const auto a = to_overlap(rows.gap), b = to_overlap(rows.covered), c = to_overlap(rows.whole);
-      for (auto& pair : pairs_) pair->add_tangent(data(*a), data(*b), data(*c), *matrix_);
+      for (auto& pair : pairs_) pair->add_tangent(data(*a), data(*b), data(*c), weight_at_end, *matrix_);
     }
     const Stopwatch watch(counts_.seconds_assembly);
     if (!out.compliance.is_null()) {
@@ -269,24 +286,24 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
         if (s[k] > 0) matrix_->add_diagonal(k, s[k]);
     }
     tangent_ = matrix_->assemble();
-    const auto local = tangent_->getLocalMatrixHost();
-    const auto row_map = tangent_->getRowMap(), col_map = tangent_->getColMap();
-    for (int k = 0; k < dofs_.n_owned(); ++k) {
-      if (!identity_rows_[k]) continue;
-      const int diagonal = col_map->getLocalElement(row_map->getGlobalElement(k));
-      for (auto entry = local.graph.row_map(k); entry < local.graph.row_map(k + 1); ++entry)
-        local.values(entry) = local.graph.entries(entry) == diagonal ? 1.0 : 0.0;
-    }
+    put_identity_rows();
   }
   return out;
 }
 
+void StepProblem::put_identity_rows() {
+  const auto local = tangent_->getLocalMatrixHost();
+  const auto row_map = tangent_->getRowMap(), col_map = tangent_->getColMap();
+  for (int k = 0; k < dofs_.n_owned(); ++k) {
+    if (!identity_rows_[k]) continue;
+    const int diagonal = col_map->getLocalElement(row_map->getGlobalElement(k));
+    for (auto entry = local.graph.row_map(k); entry < local.graph.row_map(k + 1); ++entry)
+      local.values(entry) = local.graph.entries(entry) == diagonal ? 1.0 : 0.0;
+  }
+}
+
 Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
-  const auto overlap_x = to_overlap(x);
-  Vector shares(dofs_.overlap_map());
-  NodalSums sums(dofs_);
-  pairs_[k]->integrate(data(*overlap_x), false, data(shares), sums);
-  const auto force = owned_sum(shares);
+  const auto force = contact_force_of(to_overlap(x), k, k + 1);
   const double* f = data(*force);
   std::vector<double> sum(3, 0.0);
   for (int node : scene_.pairs[k].secondary_nodes)
@@ -302,11 +319,7 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   const double* from = data(pressures);
   for (int point : dofs_.overlap_points())
     if (dofs_.owned(point) && dofs_.size(point) == 1) to[dofs_.local(point)] = from[dofs_.local(point)];
-  const auto overlap_x = to_overlap(mixed);
-  Vector contact(dofs_.overlap_map());
-  NodalSums sums(dofs_);
-  for (auto& pair : pairs_) pair->integrate(data(*overlap_x), false, data(contact), sums);
-  return owned_sum(contact);
+  return contact_force_of(to_overlap(mixed), 0, pairs_.size());
 }
 
 }  // namespace mortise

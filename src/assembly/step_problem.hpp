@@ -8,6 +8,7 @@
 #include "assembly/damping_term.hpp"
 #include "assembly/dead_loads.hpp"
 #include "assembly/follower_term.hpp"
+#include "assembly/inertia_term.hpp"
 #include "assembly/mortar_term.hpp"
 #include "assembly/spring_term.hpp"
 
@@ -20,20 +21,22 @@ struct Search {
   double inward = 0;    ///< beyond that against the normal [m]
 };
 
-/// A converged state: positions and pressures at a time, and the search behind it. All that the next step depends on: the lists
-/// of facet pairs are part of it because they fix the graph, and with it the round-off of a direct solver.
+/// A converged state: positions, pressures and motion at a time, and the search behind it. All that the next step depends on: the
+/// lists of facet pairs are part of it because they fix the graph, and with it the round-off of a direct solver.
 struct State {
   double time = 0;
   RCP<Vector> x;  ///< owned unknowns: positions [m], pressures [Pa]
   Search search;
+  RCP<Vector> v, a;  ///< velocities [m/s] and accelerations [m/s^2] at the rows of positions; null in statics
 };
 
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
 struct Evaluation {
   bool admissible = false;  ///< det F > 0 everywhere; if false nothing else is of use
-  RCP<Vector> residual;     ///< f_int + f_damping + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
+  RCP<Vector>
+      residual;  ///< f_inertia + f_int + f_damping + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual
-  RCP<Vector> damping;                      ///< likewise; null if no body has any
+  RCP<Vector> damping, inertia;             ///< likewise; null if no body has any
   RCP<Vector> unbalanced;                   ///< the residual before supports and law take their rows: there the reactions [N]
   /// Components that supports hold: each once, with the first support of the deck that acts on it.
   std::shared_ptr<const std::vector<PrescribedDof>> prescribed;
@@ -41,7 +44,8 @@ struct Evaluation {
   RCP<Vector> area;              ///< covered area at the rows of pressures [m^2]
   RCP<Vector> compliance;        ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
   double force_residual = 0;     ///< |R| over free positions [N]
-  double force_scale = 0;        ///< max(|f_int|, |f_ext|, |f_contact|) [N]
+  double force_scale = 0;        ///< max(|f_int|, |f_ext|, |f_contact|, |f_inertia|) [N]
+  double force_floor = 0;        ///< round-off of the residual [N]
   double gap_residual = 0;       ///< greatest |gap| of a closed node [m]
   double pressure_residual = 0;  ///< greatest |p| of an open node [Pa]
   double pressure_scale = 0;     ///< greatest |p| of a closed node [Pa]
@@ -60,8 +64,9 @@ struct WorkCounts {
   double seconds_search = 0, seconds_contact = 0, seconds_elements = 0, seconds_assembly = 0;
 };
 
-/// Quasi-static equations  f_int(q) + C (q - q_n)/dt + f_contact(q, p) = f_ext(t, q),  with supports and the contact law, for one
-/// step; springs are among f_int, and damping C only in bodies that have it.
+/// Equations of one step,  M a* + C v* + f_int* + f_contact*(p) = f_ext*,  with supports and the contact law at its end. The time
+/// scheme says what the stars stand for (physics/time_scheme.hpp); springs are among f_int, damping only in bodies that have it,
+/// and inertia only in dynamics.
 /// Everything is collective over the ranks of the scene's communicator.
 class StepProblem {
  public:
@@ -74,7 +79,7 @@ class StepProblem {
   RCP<Vector> reference_state() const;
 
   /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section
-  /// 8).
+  /// 8). In dynamics positions and velocities are those of the deck's initial conditions; accelerations are 0, still to be found.
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
 
@@ -85,6 +90,16 @@ class StepProblem {
   ///         other: there is no such step then. The same on all ranks.
   std::string begin_step(const State& from, double t);
   double time() const { return time_; }
+
+  /// Fills in what follows from the unknowns `to.x` that solve the step begun at `from`: velocities and accelerations.
+  void finish_step(const State& from, State& to) const;
+
+  /// Whether det F > 0 in all elements at `x`: what the residual does not see where the scheme evaluates it elsewhere.
+  /// Collective.
+  bool is_admissible(const Vector& x) const;
+
+  /// The mass matrix with the identity in all rows that have no acceleration to find: of supports and pressures. As `linearise`.
+  RCP<Matrix> mass_matrix();
 
   Evaluation evaluate(const Vector& x);
 
@@ -106,10 +121,18 @@ class StepProblem {
   /// The search now in force; belongs into the state that a step ends in.
   const Search& search() const { return search_; }
   const std::vector<std::unique_ptr<BodyTerm>>& bodies() const { return bodies_; }
+  const std::vector<InertiaTerm>& inertias() const { return inertias_; }
   const std::vector<std::unique_ptr<MortarTerm>>& pairs() const { return pairs_; }
 
   /// Strain energy of this rank's elements and of its springs that act now [J].
   double strain_energy(const double* x) const;
+
+  /// Kinetic energy of all ranks [J] and momenta M v [kg m/s], owned. @param v owned, or null: 0
+  double kinetic_energy(const RCP<Vector>& v) const;
+  RCP<Vector> momenta(const Vector& v) const;
+
+  /// Mass [kg] and centre of mass [m] of a body at positions `x`, over all ranks. @param term one of `inertias`
+  std::pair<double, Vec3<double>> mass_and_centre(const InertiaTerm& term, const Vector& x) const;
 
   /// Positions and pressures with copies of the other ranks' values.
   RCP<Vector> to_overlap(const Vector& owned) const;
@@ -121,10 +144,10 @@ class StepProblem {
   /// The owned part of a vector over all unknowns that every rank knows: `gather` undone.
   RCP<Vector> scatter(const std::vector<double>& all) const;
 
-  /// Sum of the contact forces of one pair on its secondary surface [N] (the force acts on the body).
+  /// Sum of the contact forces of one pair on its secondary surface in this step [N] (the force acts on the body).
   Vec3<double> force_on_secondary(const Vector& x, std::size_t pair);
 
-  /// Contact force on the bodies with pressures `p` taken from `pressures` and geometry from `x`; sign of the residual.
+  /// Contact force of this step with pressures `p` taken from `pressures` and positions from `x`; sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
 
  private:
@@ -135,10 +158,26 @@ class StepProblem {
   double norm_of_forces(const Vector& f) const;
   void build_graph();
   void refresh_constants();
+  void start_motion(State& state) const;
   void move_supports(const State& from, double t, std::string& fault);
   void add_springs(const Vector& overlap_x, Vector& internal);
+  RCP<Vector> in_motion(const Combination& combination, const Vector& overlap_x) const;
   RCP<Vector> damping(const Vector& overlap_x);
+  RCP<Vector> inertia(const Vector& overlap_x);
   RCP<Vector> external(const Vector& overlap_x, bool with_tangent);
+  RCP<Vector> dead(double t, std::string& fault) const;
+  RCP<Vector> positions_at(double theta, const RCP<Vector>& overlap_x) const;
+  bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal);
+  void find_forces_before(double t_before, std::string& fault);
+  struct ContactPass {
+    double theta, weight;
+  };
+  std::vector<ContactPass> contact_passes() const;
+  void add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end, Vector& contact);
+  double contact_weight_at_end() const;
+  RCP<Vector> contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end);
+  double round_off_of_forces() const;
+  void put_identity_rows();
   RCP<Vector> owned_sum(const Vector& shares) const;
   /// Factors of the derivatives that make up a pressure's row, on the owned map.
   struct LawRows {
@@ -157,19 +196,27 @@ class StepProblem {
   std::vector<FollowerTerm> followers_;
   std::vector<SpringTerm> springs_;
   std::vector<DampingTerm> dampings_;
+  std::vector<InertiaTerm> inertias_;
   std::unique_ptr<SystemMatrix> matrix_;
   RCP<Matrix> tangent_;
-  /// What the constant part of the matrix depends on: the time step if a body is damped, and which springs act.
+  /// What the constant part of the matrix depends on: factors of the scheme, which know the time step, and which springs act.
   struct ConstantPart {
-    double dt;
+    double theta, damping, inertia;
     std::vector<bool> acting;
-    bool operator==(const ConstantPart& other) const { return dt == other.dt && acting == other.acting; }
+    bool operator==(const ConstantPart& other) const {
+      return theta == other.theta && damping == other.damping && inertia == other.inertia && acting == other.acting;
+    }
   };
   std::optional<ConstantPart> constant_;  // of the matrix; none: it has to be made
   RCP<Vector> start_x_;                   // overlap positions at the start of the step
   Search search_;
   RCP<Vector> search_x_;      // its positions on the overlap
   double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves
+  TimeScheme scheme_;         // of the step; without a step all is evaluated where it stands
+  StepKinematics kinematics_;
+  RCP<Vector> start_v_, start_a_;                        // overlap, at the start of the step; null in statics
+  RCP<const Vector> internal_before_, external_before_;  // of a mean of forces: those at its start, owned
+  std::vector<int> overlap_pressures_;                   // local indices
   std::shared_ptr<const std::vector<PrescribedDof>> acting_ = std::make_shared<std::vector<PrescribedDof>>();
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> dead_;                                // owned: force of the dead loads at time_

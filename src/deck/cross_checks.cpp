@@ -38,7 +38,7 @@ class CrossChecks {
     check_plane_bodies();
     check_sets();
     check_loads();
-    check_damping();
+    check_inertia();
     check_contact();
     check_quantities();
     check_times();
@@ -146,9 +146,50 @@ class CrossChecks {
         report("D07", {"materials", name}, "required \"density\" is missing: " + why);
   }
 
-  void check_damping() {
-    for (const auto& [name, body] : options_.bodies)
+  bool has_inertia() const { return scheme_of(options_.time.scheme).has_inertia(); }
+
+  bool is_set(const std::string& list, const std::string& name, const std::string& parameter) const {
+    return source_.root().list(list)->list(name)->parameter(parameter) != nullptr;
+  }
+
+  void check_inertia() {
+    const std::string scheme = in_quotes(name_of_kind(options_.time.scheme));
+    for (const auto& [name, body] : options_.bodies) {
       if (body.rayleigh.mass > 0) check_density(body, "\"rayleigh mass\" of body " + in_quotes(name) + " needs it");
+      if (has_inertia()) check_density(body, "time > \"scheme\" = " + scheme + " needs it");
+      if (!has_inertia() && !(body.rayleigh.mass > 0) && is_set("bodies", name, "mass"))
+        report("D13", {"bodies", name, "mass"},
+               "is set but unused: it has a meaning only with \"rayleigh mass\" > 0 and in dynamics");
+      check_formulation(name, body, scheme);
+    }
+    const std::vector<std::string> bodies = names_in(options_.bodies);
+    for (const auto& [name, unused] : options_.initial_conditions) {
+      if (!bodies.empty() && std::find(bodies.begin(), bodies.end(), name) == bodies.end())
+        report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, bodies));
+      if (!has_inertia())
+        report("D13", {"initial conditions", name},
+               "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " + scheme);
+    }
+    const bool has_contact = !options_.contact.empty();
+    if (const std::string fault = instability(options_.time.scheme, has_contact); !fault.empty())
+      report("D19", {"time", "scheme"}, fault);
+    if (has_contact && std::holds_alternative<schemes::EnergyMomentum>(options_.time.scheme))
+      report("D19", {"time", "scheme"},
+             "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
+    if (std::holds_alternative<schemes::ForwardEuler>(options_.time.scheme) &&
+        (has_contact || !options_.supports.empty() || !plane_strain_supports().empty()))
+      report("D19", {"time", "scheme"}, "takes no supports and no contact: it is explicit");
+  }
+
+  /// Which formulations know the forces of a scheme.
+  void check_formulation(const std::string& name, const BodyOptions& body, const std::string& scheme) {
+    const ForceReading reading = scheme_of(options_.time.scheme).forces;
+    if (reading == ForceReading::algorithmic && body.formulation != FormulationKind::standard)
+      report("D19", {"bodies", name, "formulation"},
+             "must be \"standard\" for time > \"scheme\" = " + scheme + ", whose stress is that of displacement elements");
+    if (reading == ForceReading::mean && body.formulation == FormulationKind::mixed)
+      report("D19", {"bodies", name, "formulation"},
+             "cannot be \"mixed\" where time > \"scheme\" = " + scheme + " takes the mean of two forces");
   }
 
   void check_contact() {
@@ -175,6 +216,7 @@ class CrossChecks {
     }
     std::vector<std::string> columns(step_columns.begin(), step_columns.end());
     columns.insert(columns.end(), ledger_columns.begin(), ledger_columns.end());
+    columns.insert(columns.end(), balance_columns.begin(), balance_columns.end());
     for (const auto& [quantity, names] : entries) {
       for (const std::string& name : names) columns.push_back(quantity + "." + name);
     }
@@ -261,7 +303,7 @@ class CrossChecks {
       case FieldNeed::nothing:
         return "";
       case FieldNeed::inertia:
-        return options_.time.scheme == Scheme::static_ ? "nothing has a velocity in a static run" : "";
+        return has_inertia() ? "" : "nothing has a velocity in a static run";
       case FieldNeed::supports:
         return options_.supports.empty() ? "the deck has no supports" : "";
       case FieldNeed::contact:

@@ -17,7 +17,6 @@ inline const Choices<MassKind> mass_names{
 struct RayleighOptions {
   double mass = 0;       ///< a [1/time]
   double stiffness = 0;  ///< b [time]
-  MassKind mass_kind = MassKind::consistent;
 
   bool exists() const { return mass > 0 || stiffness > 0; }
 };
@@ -27,10 +26,6 @@ void describe(Fields& f, RayleighOptions& o) {
   f.optional("rayleigh mass", o.mass, at_least(0), "1/time",
              "a of the damping force (a M + b K) v, K the stiffness at rest; needs the density of the material");
   f.optional("rayleigh stiffness", o.stiffness, at_least(0), "time", "b of the damping force");
-  f.choice("mass", o.mass_kind, mass_names, Presence::optional,
-           "consistent: by a rule that is exact for straight edges; consistent 2x2x2: by the rule of the stiffness, for hex8 the "
-           "thesis' 2 x 2 x 2 points (not for tetrahedra, whose rule has too few); lumped: diagonal, positive for every element");
-  f.only_with({"mass"}, "rayleigh mass", o.mass > 0, "\"rayleigh mass\" > 0");
 }
 
 }  // namespace mortise

@@ -73,6 +73,10 @@ void describe(Fields& f, BodyOptions& o) {
   f.choice("tangent", o.tangent, tangent_names, Presence::optional,
            "how elements are differentiated: AD of the stress at each quadrature point, moduli derived by hand, AD or complex "
            "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");
+  f.choice("mass", o.mass, mass_names, Presence::optional,
+           "consistent: by a rule that is exact for straight edges; consistent 2x2x2: by the rule of the stiffness, for hex8 the "
+           "thesis' 2 x 2 x 2 points (not for tetrahedra, whose rule has too few); lumped: diagonal, positive for every element. "
+           "Has a meaning in dynamics and with \"rayleigh mass\"");
   describe(f, o.rayleigh);
   f.rule("D19", {"rayleigh stiffness", "formulation"}, o.rayleigh.stiffness == 0 || o.formulation != FormulationKind::mixed,
          "needs a \"formulation\" other than \"mixed\", whose stiffness at rest is not one of positions alone");
@@ -110,8 +114,7 @@ void describe(Fields& f, ContactOptions& o) {
 
 template <class Fields>
 void describe(Fields& f, TimeOptions& o) {
-  f.choice("scheme", o.scheme, Choices<Scheme>{{"static", Scheme::static_}}, Presence::optional,
-           "static: equilibrium at each step; t only orders the loading");
+  f.kind("scheme", o.scheme, Presence::optional, "how a step follows from the one before; dynamics needs the density of each body");
   f.required("end", o.end, positive, "time", "time at which the run ends; it begins at 0");
   f.required("step", o.step, positive, "time", "first step");
   f.optional("largest step", o.largest_step, positive, "time", "steps grow up to this; default: `step`");
@@ -213,6 +216,8 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("springs", o.springs, Presence::optional, "springs to the ground");
   f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
+  f.named("initial conditions", o.initial_conditions, Presence::optional,
+          "how bodies move at the start, each named as its body; without it a body is at rest");
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
   f.list("output", o.output, Presence::optional, "what is written to results.e");

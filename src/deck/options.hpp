@@ -10,7 +10,9 @@
 #include "assembly/tangent_kind.hpp"
 #include "deck/damping_options.hpp"
 #include "deck/load_options.hpp"
+#include "deck/initial_options.hpp"
 #include "deck/material_options.hpp"
+#include "deck/scheme_options.hpp"
 #include "deck/support_options.hpp"
 #include "mesh/recipes/recipes.hpp"
 
@@ -44,6 +46,7 @@ struct BodyOptions {
   FormulationKind formulation = FormulationKind::standard;
   TangentKind tangent = TangentKind::quadrature_point;
   Kinematics kinematics = Kinematics::three_dimensional;
+  MassKind mass = MassKind::consistent;
   RayleighOptions rayleigh;
 };
 
@@ -58,10 +61,8 @@ struct ContactOptions {
   int quadrature_degree = 5;  ///< of the rule on each triangle of a segment
 };
 
-enum class Scheme { static_ };
-
 struct TimeOptions {
-  Scheme scheme = Scheme::static_;
+  SchemeKind scheme;
   double end = 0;
   double step = 0;
   std::optional<double> largest_step;   ///< default: `step`
@@ -135,6 +136,7 @@ struct DeckOptions {
   Named<SpringOptions> springs;
   Named<LoadOptions> loads;
   Named<ContactOptions> contact;
+  Named<InitialOptions> initial_conditions;  ///< by body
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;

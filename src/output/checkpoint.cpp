@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::string_view first_line = "mortise checkpoint, format 2\n";
+constexpr std::string_view first_line = "mortise checkpoint, format 3\n";
 constexpr std::string_view any_first_line = "mortise checkpoint, format ";
 constexpr std::string_view file_stem = "checkpoint.";
 
@@ -79,6 +79,8 @@ void members(const Visit& visit, C& c) {
   visit("wasted iterations", c.done.wasted_iterations);
   visit("frames", c.frames);
   visit.list("x", c.x);
+  visit.list("v", c.v);
+  visit.list("a", c.a);
   visit.list("search x", c.search_x);
   visit("search reach", c.search_reach);
   visit("search inward", c.search_inward);
@@ -91,6 +93,11 @@ void members(const Visit& visit, C& c) {
   visit("residual work", c.ledger.residual);
   visit("mismatch", c.ledger.mismatch);
   visit("strain energy", c.ledger.strain_energy);
+  visit("kinetic energy", c.ledger.kinetic_energy);
+  visit.list("linear momentum", c.ledger.linear_momentum);
+  visit.list("angular momentum", c.ledger.angular_momentum);
+  visit.list("linear balance", c.ledger.linear_balance);
+  visit.list("angular balance", c.ledger.angular_balance);
   visit.list("closed", c.ledger.closed);
   visit.list("weighted gap", c.ledger.weighted_gap);
   visit("evaluations", c.work.evaluations);
@@ -134,6 +141,10 @@ Checkpoint make_checkpoint(const Origin& origin, const StepProblem& problem, con
   c.done = at.counts;
   c.frames = frames;
   c.x = problem.gather(*at.state.x);
+  if (!at.state.v.is_null()) {
+    c.v = problem.gather(*at.state.v);
+    c.a = problem.gather(*at.state.a);
+  }
   if (!at.state.search.x.is_null()) c.search_x = problem.gather(*at.state.search.x);
   c.search_reach = at.state.search.reach;
   c.search_inward = at.state.search.inward;
@@ -147,6 +158,10 @@ MarchState resume(const Checkpoint& c, StepProblem& problem) {
   MarchState at;
   at.state.time = c.time;
   at.state.x = problem.scatter(c.x);
+  if (!c.v.empty()) {
+    at.state.v = problem.scatter(c.v);
+    at.state.a = problem.scatter(c.a);
+  }
   if (!c.search_x.empty()) at.state.search = {problem.scatter(c.search_x), c.search_reach, c.search_inward};
   at.dt = c.dt;
   at.pending_cuts = c.pending_cuts;

@@ -17,21 +17,6 @@
 namespace mortise {
 namespace {
 
-double strain_energy(StepProblem& problem, const State& state) {
-  const auto q = problem.to_overlap(*state.x);
-  return all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_SUM, problem.strain_energy(data(*q)));
-}
-
-// Increment of the positions; pressures have none.
-Vector increment(const StepProblem& problem, const State& before, const State& now) {
-  Vector dq(*now.x, Teuchos::Copy);
-  dq.update(-1.0, *before.x, 1.0);
-  auto values = dq.getDataNonConst();
-  for (int point : problem.dofs().overlap_points())
-    if (problem.dofs().owned(point) && problem.dofs().size(point) == 1) values[problem.dofs().local(point)] = 0;
-  return dq;
-}
-
 std::vector<std::string> columns_of(const Scene& scene) {
   std::vector<std::string> columns(step_columns.begin(), step_columns.end());
   for (const auto& pair : scene.pairs)
@@ -43,6 +28,7 @@ std::vector<std::string> columns_of(const Scene& scene) {
   for (const char* name :
        {"seconds_search", "seconds_contact", "seconds_elements", "seconds_solve", "seconds_output", "graph_rebuilds"})
     columns.emplace_back(name);
+  columns.insert(columns.end(), balance_columns.begin(), balance_columns.end());
   for (const auto& pair : scene.pairs) columns.push_back(fmt::format("closure_error.{}", pair.name));
   return columns;
 }
@@ -96,68 +82,14 @@ int History::column(const std::string& name) const {
   return found == columns_.end() ? -1 : static_cast<int>(found - columns_.begin());
 }
 
-// The ledger of a static step: forces of the new state work on the increment of positions.
-void History::update_ledger(StepProblem& problem, const State& before, const State& now, const Evaluation& at) {
-  const Scene& scene = problem.scene();
-  const Vector dq = increment(problem, before, now);
-  const double energy_before = ledger_.strain_energy;
-  ledger_.strain_energy = strain_energy(problem, now);
-
-  Vector out_of_balance(*at.unbalanced, Teuchos::Copy);
-  Vector reaction(dq.getMap());
-  {
-    auto r = reaction.getDataNonConst();
-    auto rest = out_of_balance.getDataNonConst();
-    for (const auto& p : *at.prescribed) {
-      if (!problem.dofs().owned(p.node)) continue;
-      const int k = problem.dofs().local(p.node) + p.axis;
-      r[k] = rest[k];
-      rest[k] = 0;
-    }
-  }
-  const double damping = at.damping.is_null() ? 0 : at.damping->dot(dq);
-  const double internal = at.internal->dot(dq), contact = -at.contact->dot(dq),
-               external = at.external->dot(dq) + reaction.dot(dq), residual = out_of_balance.dot(dq),
-               stored = ledger_.strain_energy - energy_before, algorithmic = internal - stored;
-  double closing = 0, both_ends = 0;
-  std::vector<double> weighted_gap;
-  if (!scene.pairs.empty()) {
-    const auto gap = problem.gather(*at.gap), area = problem.gather(*at.area), x = problem.gather(*now.x);
-    const std::size_t first = 3 * static_cast<std::size_t>(problem.dofs().n_nodes());
-    Vector newly(*now.x, Teuchos::Copy);
-    {
-      auto p = newly.getDataNonConst();
-      for (int k = 0; k < scene.n_multipliers; ++k) {
-        weighted_gap.push_back(gap[first + k] * area[first + k]);
-        if (!ledger_.closed[k]) continue;
-        both_ends += x[first + k] * (weighted_gap[k] - ledger_.weighted_gap[k]);
-        const int point = problem.dofs().n_nodes() + k;
-        if (problem.dofs().owned(point)) p[problem.dofs().local(point)] = 0;
-      }
-    }
-    closing = -problem.contact_force(*now.x, newly)->dot(dq);
-  }
-  ledger_.external += external;
-  ledger_.damping += damping;
-  ledger_.contact += contact;
-  ledger_.closing += closing;
-  ledger_.resegmentation += contact - closing - both_ends;
-  ledger_.algorithmic += algorithmic;
-  ledger_.residual += residual;
-  ledger_.mismatch = stored + algorithmic - contact + damping - external - residual;
-  ledger_.weighted_gap = weighted_gap;
-}
-
 void History::observe(StepProblem& problem, const State& before, const State& now, const Evaluation& at, const StepRecord& record,
                       double seconds_solve, double seconds_output) {
   const Scene& scene = problem.scene();
   if (record.step == 0) {
-    ledger_.strain_energy = strain_energy(problem, now);
-    ledger_.weighted_gap.assign(scene.n_multipliers, 0.0);
+    open_ledger(ledger_, problem, now, at);
   } else {
-    update_ledger(problem, before, now, at);
+    add_step(ledger_, problem, before, now, at);
   }
-  ledger_.closed = at.closed;
 
   std::vector<double> row{static_cast<double>(record.step),
                           record.time,
@@ -179,17 +111,19 @@ void History::observe(StepProblem& problem, const State& before, const State& no
       if (p.support == static_cast<int>(s)) sum[p.axis] += reactions[p.axis][p.node];
     row.insert(row.end(), sum.begin(), sum.end());
   }
-  // No inertia or friction in a static scene: their shares are zero because the terms do not exist.
-  row.insert(row.end(), {0.0, ledger_.strain_energy, 0.0, ledger_.strain_energy, ledger_.external, ledger_.contact,
-                         ledger_.closing, ledger_.resegmentation, 0.0, ledger_.damping, ledger_.algorithmic, ledger_.residual,
-                         ledger_.mismatch, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  // Friction and stick have no terms yet: their shares are zero because nothing of them exists.
+  const Ledger& l = ledger_;
+  row.insert(row.end(), {l.kinetic_energy, l.strain_energy, 0.0, l.kinetic_energy + l.strain_energy, l.external, l.contact,
+                         l.closing, l.resegmentation, 0.0, l.damping, l.algorithmic, l.residual, l.mismatch});
+  row.insert(row.end(), l.linear_momentum.begin(), l.linear_momentum.end());
+  row.insert(row.end(), l.angular_momentum.begin(), l.angular_momentum.end());
   std::vector<std::string> quantities;
   for (const auto& probe : scene.probes) quantities.push_back(probe.quantity);
   const auto followed = nodal_variables(problem, now, at, quantities);
   for (std::size_t k = 0; k < followed.size(); ++k) row.push_back(followed[k][scene.probes[k].node]);
   const auto& counts = problem.counts();
   row.insert(row.end(), {counts.seconds_search, counts.seconds_contact, counts.seconds_elements, seconds_solve, seconds_output,
-                         static_cast<double>(counts.graphs)});
+                         static_cast<double>(counts.graphs), l.linear_mismatch(), l.angular_mismatch()});
   for (const auto& pair : problem.pairs()) {
     row.push_back(all_reduced(*problem.dofs().comm(), Teuchos::REDUCE_MAX, pair->closure().first));
   }

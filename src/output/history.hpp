@@ -6,19 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "output/ledger.hpp"
 #include "time/march.hpp"
 
 namespace mortise {
-
-/// Sums of works since the start, and what the next step's works are counted from (conventions, section 7).
-struct Ledger {
-  double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0;  ///< [J]
-  double damping = 0;                                                                                ///< dissipated [J]
-  double mismatch = 0;                                                                               ///< of the last step [J]
-  double strain_energy = 0;                                                                          ///< [J]
-  std::vector<char> closed;          ///< per multiplier of the scene
-  std::vector<double> weighted_gap;  ///< likewise [m^3]
-};
 
 /// Columns and rows of a run; on rank 0 also the file. Columns: conventions, section 3; the ledger: section 7.
 class History {
@@ -43,8 +34,6 @@ class History {
   const Ledger& ledger() const { return ledger_; }
 
  private:
-  void update_ledger(StepProblem& problem, const State& before, const State& now, const Evaluation& at);
-
   std::vector<std::string> columns_;
   std::vector<std::vector<double>> rows_;
   std::ofstream out_;

@@ -71,8 +71,11 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
     case Field::status:
       return {contact_status(problem, at)};
-    default:  // velocity and acceleration of a static state, which the deck reader refuses
-      throw std::logic_error(std::string("no field \"") + entry_of(field).name + "\" in a static state");
+    default: {  // of motion; statics, where the deck reader refuses them, has none
+      const RCP<Vector>& rate = field == Field::velocity ? state.v : state.a;
+      if (rate.is_null()) throw std::logic_error(std::string("no field \"") + entry_of(field).name + "\" in a static state");
+      return by_axis(problem.gather(*rate), n);
+    }
   }
 }
 

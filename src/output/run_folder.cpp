@@ -66,8 +66,7 @@ std::string forces_and_motions(const Scene& scene) {
     text += fmt::format("  load \"{}\": {}{}\n", load.name, load.kind, in_words(load.activity));
   for (const auto& body : scene.bodies)
     if (body.rayleigh.exists())
-      text += fmt::format("  damping of \"{}\": Rayleigh, mass {}, stiffness {}, mass matrix {}\n", body.name, body.rayleigh.mass,
-                          body.rayleigh.stiffness, word_for(mass_names, body.rayleigh.mass_kind));
+      text += fmt::format("  damping of \"{}\": Rayleigh, mass {}, stiffness {}\n", body.name, body.rayleigh.mass, body.rayleigh.stiffness);
   return text;
 }
 

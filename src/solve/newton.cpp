@@ -13,6 +13,7 @@
 #include <map>
 
 #include "assembly/rigid_modes.hpp"
+#include "assembly/vectors.hpp"
 #include "solve/newton_group.hpp"
 
 namespace mortise {
@@ -87,7 +88,7 @@ class StepStatus : public NOX::StatusTest::Generic {
 
     const Scene& scene = shared_->problem.scene();
     const double h = scene.size;
-    const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, scene.force_floor) &&
+    const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, e.force_floor) &&
                        e.gap_residual <= options_.tolerance * h && e.volume_residual <= options_.tolerance &&
                        e.support_residual <= options_.tolerance * h &&
                        e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor());
@@ -238,9 +239,30 @@ StepResult Newton::solve(const State& from, double t) {
     return result;
   }
   const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());
-  result.state = {t, Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy)), problem_.search()};
+  result.state = {t, Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy)), problem_.search(), Teuchos::null,
+                  Teuchos::null};
   result.evaluation = solved.evaluation();
+  problem_.finish_step(from, result.state);
+  // Where forces are those of positions within the step, only now are those at its end looked at.
+  if (problem_.scene().scheme.has_inertia() && !problem_.is_admissible(*result.state.x)) {
+    result.converged = false;
+    result.cause = "an element is inside out (det F <= 0) at the end of the step";
+  }
   return result;
+}
+
+std::string Newton::find_acceleration(State& state) {
+  state.a->putScalar(0.0);
+  if (const std::string fault = problem_.begin_step(state, state.time); !fault.empty()) return fault;
+  const Evaluation at = problem_.evaluate(*state.x);
+  if (!at.admissible) return "an element is inside out (det F <= 0) at the start";
+  const auto mass = problem_.mass_matrix();
+  Vector force(*at.unbalanced, Teuchos::Copy);
+  double* f = data(force);
+  for (int k = 0; k < problem_.dofs().n_owned(); ++k) f[k] = problem_.identity_rows()[k] ? 0 : -f[k];
+  LinearReport report = linear_.factor(mass, problem_.identity_rows(), problem_.graph_number());
+  if (report.solved) report = linear_.solve(force, *state.a);
+  return report.solved ? "" : "the mass matrix: " + report.cause;
 }
 
 }  // namespace mortise

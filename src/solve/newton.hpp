@@ -41,6 +41,10 @@ class Newton {
   /// Solves for the state at time `t`, starting from the state before (old positions, old pressures).
   StepResult solve(const State& from, double t);
 
+  /// Finds the accelerations of a state at rest in time:  M a = f_ext - f_int - f_damping - f_contact; supported components have
+  /// none. @return an empty text, or why there are none
+  std::string find_acceleration(State& state);
+
   const LinearSolver& linear_solver() const { return linear_; }
   LinearSolver& linear_solver() { return linear_; }
   double seconds_linear() const { return seconds_linear_; }

@@ -11,7 +11,7 @@ CheckedTerm checked_sides(const StepProblem& problem, const Load& load, const Pa
   const auto term = std::make_shared<FollowerTerm>(scene, load, partition, problem.dofs());
   const double last = std::min(load.activity.end.value_or(scene.time.end), scene.time.end);
   std::string fault;
-  term->set_time(last, fault);
+  term->set_time(last, last, fault);
   if (!fault.empty()) throw DeckError(fault);
   const std::vector<Side>& sides = load.sides();
   const int n = static_cast<int>(sides.size()), stride = stride_for(n, most);

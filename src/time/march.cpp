@@ -70,6 +70,9 @@ MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const T
   MarchSummary summary;
   StepSize size(options, at.dt);
   if (at.counts.steps == 0) {
+    if (scene.scheme.has_inertia())
+      if (const std::string fault = newton.find_acceleration(at.state); !fault.empty())
+        return {ExitCode::no_convergence, fmt::format("no acceleration at the start: {}", fault)};
     problem.begin_step(at.state, at.state.time);
     const Evaluation evaluation = problem.evaluate(*at.state.x);
     for (const auto& observe : party.observers) observe(at.state, at.state, evaluation, StepRecord{});

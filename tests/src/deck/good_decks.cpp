@@ -36,7 +36,7 @@ TEST(Deck, OfTheConventionsGivesWhatItSays) {
   EXPECT_EQ(o.contact[0].second.secondary, "indenter/bottom");
   EXPECT_EQ(o.contact[0].second.primary, "slab/top");
   EXPECT_EQ(o.contact[0].second.quadrature_degree, 5);
-  EXPECT_EQ(o.time.scheme, Scheme::static_);
+  EXPECT_EQ(name_of_kind(o.time.scheme), "static");
   EXPECT_EQ(o.time.end, 20);
   EXPECT_EQ(o.time.step, 0.1);
   EXPECT_EQ(o.time.largest_step, 0.5);

@@ -79,7 +79,7 @@ TEST(Deck, TakesRayleighDampingOfABody) {
   const RayleighOptions& rayleigh = o.bodies[0].second.rayleigh;
   EXPECT_EQ(rayleigh.mass, 2);
   EXPECT_EQ(rayleigh.stiffness, 1e-3);
-  EXPECT_EQ(rayleigh.mass_kind, MassKind::lumped);
+  EXPECT_EQ(o.bodies[0].second.mass, MassKind::lumped);
   EXPECT_FALSE(read_text(block_deck).bodies[0].second.rayleigh.exists());
 }
 

@@ -1,0 +1,79 @@
+#include "assembly/inertia_term.hpp"
+
+#include "assembly/element_mass.hpp"
+
+namespace mortise {
+
+InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const DofSpace& dofs) : body_(body_term.body()) {
+  const Mesh& mesh = scene.mesh.mesh;
+  const auto add_block = [&](const auto& block) {
+    using Shape = typename std::decay_t<decltype(block)>::Element;
+    for (std::size_t e = 0; e < block.size(); ++e) {
+      Element element;
+      ElementNodes<Shape> X;
+      for (std::size_t a = 0; a < X.size(); ++a) {
+        const int node = block.points(e)[a];
+        element.nodes.push_back(node);
+        element.local.push_back(dofs.local(node));
+        X[a] = mesh.coordinates[node];
+      }
+      const auto M = mass_over_density<Shape>(body_.mass_kind, X);
+      for (double entry : M) element.M.push_back(*body_.density * entry);
+      elements_.push_back(std::move(element));
+    }
+  };
+  for (const auto& block : body_term.blocks()) std::visit(add_block, block);
+}
+
+void InertiaTerm::append_cells(std::vector<Cell>& cells) {
+  first_cell_ = cells.size();
+  for (const Element& e : elements_) cells.push_back(e.nodes);
+}
+
+void InertiaTerm::add_force(const double* a, double* f) const {
+  for (const Element& e : elements_) {
+    const std::size_t n = e.local.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t l = 0; l < n; ++l)
+        for (int i = 0; i < 3; ++i) f[e.local[k] + i] += e.M[k * n + l] * a[e.local[l] + i];
+  }
+}
+
+void InertiaTerm::add_tangent(double da_dq, SystemMatrix& matrix) const {
+  std::vector<double> K;
+  for (std::size_t k = 0; k < elements_.size(); ++k) {
+    const Element& e = elements_[k];
+    const std::size_t n = e.local.size();
+    K.assign(9 * n * n, 0.0);
+    for (std::size_t a = 0; a < n; ++a)
+      for (std::size_t b = 0; b < n; ++b)
+        for (int i = 0; i < 3; ++i) K[(3 * a + i) * 3 * n + 3 * b + i] = da_dq * e.M[a * n + b];
+    matrix.add(first_cell_ + k, K.data());
+  }
+}
+
+double InertiaTerm::kinetic_energy(const double* v) const {
+  double energy = 0;
+  for (const Element& e : elements_) {
+    const std::size_t n = e.local.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t l = 0; l < n; ++l)
+        for (int i = 0; i < 3; ++i) energy += 0.5 * e.M[k * n + l] * v[e.local[k] + i] * v[e.local[l] + i];
+  }
+  return energy;
+}
+
+std::array<double, 4> InertiaTerm::mass_and_moment(const double* x) const {
+  std::array<double, 4> sum{};
+  for (const Element& e : elements_) {
+    const std::size_t n = e.local.size();
+    for (std::size_t k = 0; k < n; ++k)
+      for (std::size_t l = 0; l < n; ++l) {
+        sum[0] += e.M[k * n + l];
+        for (int i = 0; i < 3; ++i) sum[1 + i] += e.M[k * n + l] * x[e.local[l] + i];
+      }
+  }
+  return sum;
+}
+
+}  // namespace mortise

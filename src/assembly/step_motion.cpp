@@ -1,0 +1,135 @@
+// The motion side of a step's equations: what follows from its unknowns, energies and momenta, and how motion starts.
+#include <cmath>
+
+#include "assembly/step_problem.hpp"
+#include "assembly/vectors.hpp"
+#include "mesh/angles.hpp"
+#include "physics/rotation.hpp"
+
+namespace mortise {
+namespace {
+
+Vec3<double> vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
+
+}  // namespace
+
+bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal) {
+  bool is_good = true;
+  for (auto& body : bodies_) {
+    const bool adds_tangent = with_tangent && !body->has_constant_tangent();
+    if (adds_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
+    // Where the stress is linear in the positions the mean positions give the discrete gradient too.
+    const bool is_discrete_gradient = scheme_.forces == ForceReading::algorithmic && !body->has_constant_tangent();
+    if (is_discrete_gradient) {
+      is_good = (adds_tangent ? body->add_algorithmic_tangent(data(*start_x_), data(overlap_x), data(internal), *matrix_)
+                              : body->add_algorithmic_force(data(*start_x_), data(overlap_x), data(internal))) &&
+                is_good;
+    } else {
+      is_good = (adds_tangent ? body->add_tangent(data(at_theta), scheme_.theta, data(internal), *matrix_)
+                              : body->add_force(data(at_theta), data(internal))) &&
+                is_good;
+    }
+  }
+  return is_good;
+}
+
+bool StepProblem::is_admissible(const Vector& x) const {
+  const auto overlap_x = to_overlap(x);
+  Vector unused(dofs_.overlap_map());
+  int is_good = 1;
+  for (const auto& body : bodies_)
+    if (!body->add_force(data(static_cast<const Vector&>(*overlap_x)), data(unused))) is_good = 0;
+  return all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, is_good) != 0;
+}
+
+void StepProblem::finish_step(const State& from, State& to) const {
+  if (!scene_.scheme.has_inertia()) return;
+  const auto combined = [&](const Combination& c) {
+    const auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
+    sum->update(c.dq, *to.x, -c.dq, *from.x, 0.0);
+    sum->update(c.v, *from.v, c.a, *from.a, 1.0);
+    double* values = data(*sum);
+    for (int k = dofs_.n_owned_positions(); k < dofs_.n_owned(); ++k) values[k] = 0;
+    return sum;
+  };
+  to.v = combined(kinematics_.velocity);
+  to.a = combined(kinematics_.acceleration);
+  if (!scene_.scheme.is_explicit_in_position) return;
+  to.x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
+  to.x->update(dt_, *from.v, 1.0);
+}
+
+double StepProblem::kinetic_energy(const RCP<Vector>& v) const {
+  if (v.is_null()) return 0;
+  const auto overlap_v = to_overlap(*v);
+  double energy = 0;
+  for (const auto& term : inertias_) energy += term.kinetic_energy(data(*overlap_v));
+  return all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, energy);
+}
+
+RCP<Vector> StepProblem::momenta(const Vector& v) const {
+  const auto overlap_v = to_overlap(v);
+  Vector shares(dofs_.overlap_map());
+  for (const auto& term : inertias_) term.add_force(data(*overlap_v), data(shares));
+  return owned_sum(shares);
+}
+
+std::pair<double, Vec3<double>> StepProblem::mass_and_centre(const InertiaTerm& term, const Vector& x) const {
+  const auto overlap_x = to_overlap(x);
+  const auto mine = term.mass_and_moment(data(*overlap_x));
+  std::vector<double> sum(mine.begin(), mine.end());
+  all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, sum);
+  return {sum[0], {sum[1] / sum[0], sum[2] / sum[0], sum[3] / sum[0]}};
+}
+
+// Nodes that two bodies share move as the later one of the deck says.
+void StepProblem::start_motion(State& state) const {
+  if (!scene_.scheme.has_inertia()) return;
+  state.v = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double *x = data(*state.x), *v = data(*state.v);
+  for (const auto& term : inertias_) {
+    if (!term.body().initial) continue;
+    const InitialOptions& start = *term.body().initial;
+    const Vec3<double> centre = start.centre ? vector_of(*start.centre) : mass_and_centre(term, *reference_state()).second;
+    const Vec3<double> velocity = vector_of(start.velocity), spin = vector_of(start.angular_velocity);
+    for (int node : term.body().nodes) {
+      if (!dofs_.owned(node)) continue;
+      const Point& X = scene_.mesh.mesh.coordinates[node];
+      Vec3<double> arm = Vec3<double>{X[0], X[1], X[2]} - centre;
+      const int at = dofs_.local(node);
+      if (start.rotation) {
+        const auto [ax, ay, az, degrees] = *start.rotation;
+        const Vec3<double> axis{ax, ay, az};
+        const auto [sine, cosine] = sine_cosine(degrees);
+        arm = turned_about((1 / norm(axis)) * axis, sine, cosine, arm);
+        for (int i = 0; i < 3; ++i) x[at + i] = centre[i] + arm[i];
+      }
+      const Vec3<double> moving = velocity + cross(spin, arm);
+      for (int i = 0; i < 3; ++i) v[at + i] = moving[i];
+    }
+  }
+}
+
+RCP<Matrix> StepProblem::mass_matrix() {
+  if (!matrix_) build_graph();
+  matrix_->clear();
+  constant_.reset();
+  for (const auto& term : inertias_) term.add_tangent(1, *matrix_);
+  identity_rows_.assign(dofs_.n_owned(), 0);
+  for (int k = dofs_.n_owned_positions(); k < dofs_.n_owned(); ++k) identity_rows_[k] = 1;
+  for (const auto& [dof, unused] : prescribed_) identity_rows_[dof] = 1;
+  tangent_ = matrix_->assemble();
+  put_identity_rows();
+  return tangent_;
+}
+
+// [N]. Beside stress of the round-off of positions, that of the inertia they make in a short step.
+double StepProblem::round_off_of_forces() const {
+  double density = 0;
+  for (const auto& term : inertias_) density = std::max(density, *term.body().density);
+  const double h = scene_.size, inertia = density * h * h * h * std::abs(kinematics_.inertia.dq);
+  return scene_.force_floor + 1e-14 * inertia * (h + scene_.extent);
+}
+
+}  // namespace mortise
