@@ -13,7 +13,8 @@ class DeadLoads {
  public:
   DeadLoads(const Scene& scene, const Partition& partition, const DofSpace& dofs);
 
-  /// Adds the forces [N] at time `t` of the loads that act in the step that ends at `step_end`, on the overlap. Formulas are evaluated at the quadrature points.
+  /// Adds the forces [N] at time `t` of the loads that act in the step that ends at `step_end`, on the overlap. Formulas are
+  /// evaluated at the quadrature points.
   /// @param fault gets the first message about a formula without a finite value; ranks may differ
   void add(double step_end, double t, double* f, std::string& fault) const;
 

@@ -114,7 +114,8 @@ void describe(Fields& f, ContactOptions& o) {
 
 template <class Fields>
 void describe(Fields& f, TimeOptions& o) {
-  f.kind("scheme", o.scheme, Presence::optional, "how a step follows from the one before; dynamics needs the density of each body");
+  f.kind("scheme", o.scheme, Presence::optional,
+         "how a step follows from the one before; dynamics needs the density of each body");
   f.required("end", o.end, positive, "time", "time at which the run ends; it begins at 0");
   f.required("step", o.step, positive, "time", "first step");
   f.optional("largest step", o.largest_step, positive, "time", "steps grow up to this; default: `step`");

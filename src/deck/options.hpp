@@ -9,8 +9,8 @@
 
 #include "assembly/tangent_kind.hpp"
 #include "deck/damping_options.hpp"
-#include "deck/load_options.hpp"
 #include "deck/initial_options.hpp"
+#include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
 #include "deck/scheme_options.hpp"
 #include "deck/support_options.hpp"

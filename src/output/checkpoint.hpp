@@ -29,7 +29,7 @@ struct Checkpoint {
   MarchCounts done;
   int frames = 0;  ///< in results.e
   std::vector<double> x;
-  std::vector<double> v, a;  ///< likewise, 0 for pressures; empty in statics
+  std::vector<double> v, a;      ///< likewise, 0 for pressures; empty in statics
   std::vector<double> search_x;  ///< of the last search; empty: there was none
   double search_reach = 0, search_inward = 0;
   Ledger ledger;

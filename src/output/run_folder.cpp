@@ -66,7 +66,8 @@ std::string forces_and_motions(const Scene& scene) {
     text += fmt::format("  load \"{}\": {}{}\n", load.name, load.kind, in_words(load.activity));
   for (const auto& body : scene.bodies)
     if (body.rayleigh.exists())
-      text += fmt::format("  damping of \"{}\": Rayleigh, mass {}, stiffness {}\n", body.name, body.rayleigh.mass, body.rayleigh.stiffness);
+      text += fmt::format("  damping of \"{}\": Rayleigh, mass {}, stiffness {}\n", body.name, body.rayleigh.mass,
+                          body.rayleigh.stiffness);
   return text;
 }
 
