@@ -55,6 +55,8 @@ struct TimeScheme {
   ForceReading forces = ForceReading::at_point;
   double theta = 1;             ///< of `forces`
   double constraint_theta = 1;  ///< where Jacobians of constraints stand; ForceReading::mean: as the forces
+  /// Jacobians of constraints are discrete gradients over the step instead, so that constraints do no work (thesis eq. 5.97).
+  bool has_discrete_contact = false;
   /// Forward Euler: the step is solved for q_n + dt v_{n+1}, and the new position is q_n + dt v_n.
   bool is_explicit_in_position = false;
 

@@ -34,8 +34,9 @@ ExitCode check_command(const fs::path& file, const RCP<const Comm>& comm) {
   Setup setup(Deck::read(file), comm);
   setup.first_state();
   const LinearSolver linear(setup.scene, setup.problem.dofs(), setup.scene.solver);
+  const std::string text = manifest(setup.deck, setup.problem, linear.choice());  // all ranks have a part in it
   if (is_root) {
-    std::cout << manifest(setup.deck, setup.problem, linear.choice());
+    std::cout << text;
     for (const auto& warning : setup.warnings) std::cout << "warning: " << warning << '\n';
     std::cout << "the deck is ready to run\n";
   }

@@ -191,6 +191,8 @@ void add_stops(Scene& scene) {
   add_all(scene.supports);
   add_all(scene.springs);
   add_all(scene.loads);
+  add_all(scene.pairs);
+  add_all(scene.obstacles);
   scene.time.stops.assign(stops.begin(), stops.end());
 }
 

@@ -10,6 +10,7 @@
 #include "errors.hpp"
 #include "make_loads.hpp"
 #include "make_material.hpp"
+#include "make_obstacles.hpp"
 #include "mesh/contact_sides.hpp"
 #include "mesh/suspicions.hpp"
 #include "physics/elements/geometry.hpp"
@@ -66,12 +67,13 @@ class SceneMaker {
     make_supports(names_, scene_);
     make_springs(names_, scene_);
     make_loads(names_, scene_);
+    set_scales();
+    make_pairs();
+    make_obstacles(names_, scene_);
     add_stops(scene_);
     check_motions(names_, scene_);
-    make_pairs();
     make_probes();
     stop_at_errors();
-    set_scales();
     return std::move(scene_);
   }
 
@@ -287,6 +289,8 @@ class SceneMaker {
       pair.name = name;
       pair.where_penetrating = deck_.error("M51", {"contact", name}, "");
       pair.quadrature_degree = o.quadrature_degree;
+      pair.closing = o.closing;
+      pair.activity = o.activity;
       for (const Side& side : secondary->sides) {
         pair.secondary.facets.push_back(facet_nodes(side));
         pair.secondary_elements.push_back(side.element);
@@ -318,7 +322,7 @@ class SceneMaker {
       std::vector<double> unused;
       pair.primary_size = std::sqrt(facet_areas(pair.primary, primary_nodes, unused) / pair.primary.facets.size());
       pair.youngs_modulus = modulus_behind(*secondary);
-      pair.primary_youngs_modulus = modulus_behind(*primary);
+      pair.opposite_compliance = pair.primary_size / modulus_behind(*primary);
       if (pair.size > 3 * pair.primary_size)
         warnings_.push_back(
             fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap "
@@ -378,6 +382,13 @@ class SceneMaker {
 };
 
 }  // namespace
+
+std::vector<const ContactNodes*> Scene::contacts() const {
+  std::vector<const ContactNodes*> all;
+  for (const auto& pair : pairs) all.push_back(&pair);
+  for (const auto& obstacle : obstacles) all.push_back(&obstacle);
+  return all;
+}
 
 Scene make_scene(const Deck& deck, std::vector<std::string>& warnings) { return SceneMaker(deck, warnings).make(); }
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "contact/obstacle.hpp"
 #include "contact/surface.hpp"
 #include "deck/deck.hpp"
 #include "mesh/combine.hpp"
@@ -32,20 +33,32 @@ struct Body {
   std::optional<InitialOptions> initial;  ///< none: at rest, in its reference position
 };
 
-/// Two surfaces that may meet.
-struct ContactPair {
+/// Nodes that something keeps where they may be: each has a pressure.
+struct ContactNodes {
   std::string name;
+  std::string where_penetrating;  ///< start of the message about nodes inside: the entry's place in the deck
+  Activity activity;
+  Closing closing = Closing::position;
+  bool is_two_sided = false;           ///< held in both directions: never open
+  std::vector<int> secondary_nodes;    ///< ascending; node k carries multiplier `first_multiplier + k`
+  std::vector<double> tributary_area;  ///< reference area of each of them [m^2]
+  int first_multiplier = 0;
+  double size = 0;                 ///< edge of the facets round the nodes [m]
+  double youngs_modulus = 0;       ///< of the body behind them [Pa]
+  double opposite_compliance = 0;  ///< size / Young's modulus of the other side, 0 if that is rigid [m/Pa]
+};
+
+/// Two surfaces that may meet. The size is the square root of the mean area of the secondary facets.
+struct ContactPair : ContactNodes {
   ContactSurface secondary, primary;
-  std::string where_penetrating;        ///< start of the message about surfaces inside each other: the pair's place in the deck
   std::vector<int> secondary_elements;  ///< the element behind each secondary facet
-  std::vector<int> secondary_nodes;     ///< ascending; node k carries multiplier `first_multiplier + k`
-  std::vector<double> tributary_area;   ///< reference area of each secondary node [m^2]
-  int first_multiplier;
-  int quadrature_degree;
-  double size;            ///< edge of the secondary facets [m]: square root of their mean area
-  double youngs_modulus;  ///< of the secondary body [Pa]
-  double primary_size;    ///< the same of the primary side
-  double primary_youngs_modulus;
+  int quadrature_degree = 0;
+  double primary_size = 0;  ///< as `size`, of the primary side
+};
+
+/// A rigid thing that nodes may touch, or (two-sided) stay on.
+struct Obstacle : ContactNodes {
+  ObstacleShape shape;
 };
 
 /// A nodal value followed in the history.
@@ -64,6 +77,7 @@ struct Scene {
   std::vector<Spring> springs;
   std::vector<Load> loads;
   std::vector<ContactPair> pairs;
+  std::vector<Obstacle> obstacles;
   int n_multipliers = 0;
   /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
   /// number. Empty: no element has any.
@@ -78,6 +92,9 @@ struct Scene {
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater
   double size;         ///< smallest body element size [m]
   double extent;       ///< greatest reference coordinate [m]
+
+  /// Pairs, then obstacles: all that has multipliers, in their order.
+  std::vector<const ContactNodes*> contacts() const;
 
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
   /// The point that carries pressure `m` of element `e` (see DofSpace).

@@ -39,10 +39,10 @@ State Setup::first_state() {
   std::vector<char> closed(scene.n_multipliers, 0);
   std::vector<Vec3<double>> normals;
   const Evaluation at = problem.evaluate(*state.x);
-  if (!scene.pairs.empty()) closed = at.closed;
+  if (scene.n_multipliers > 0) closed = at.closed;
   const auto x = problem.to_overlap(*state.x);
-  for (const auto& pair : problem.pairs())
-    for (const auto& n : pair->normals(data(*x))) normals.push_back(n);
+  for (const auto& contact : problem.contacts())
+    for (const auto& n : contact->normals(data(*x))) normals.push_back(n);
   std::vector<std::string> messages;
   for (const auto& body : free_bodies(scene, closed, normals, state.time))
     messages.push_back(

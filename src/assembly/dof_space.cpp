@@ -12,12 +12,12 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
   for (int e = 0; e < n_elements(mesh); ++e)
     if (partition.element_rank[e] == rank)
       for (int n : element_nodes(mesh, e)) needed[n] = 1;
+  for (const ContactNodes* contact : scene.contacts())
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+      mine[n_nodes_ + contact->first_multiplier + k] = mine[contact->secondary_nodes[k]];
   for (const auto& pair : scene.pairs) {
-    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
-      const int node = pair.secondary_nodes[k], multiplier = n_nodes_ + pair.first_multiplier + static_cast<int>(k);
-      needed[node] = needed[multiplier] = 1;
-      mine[multiplier] = mine[node];
-    }
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
+      needed[pair.secondary_nodes[k]] = needed[n_nodes_ + pair.first_multiplier + k] = 1;
     for (int node : pair.primary.nodes()) needed[node] = 1;
   }
 

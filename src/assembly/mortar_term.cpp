@@ -15,7 +15,7 @@ int position_of(std::vector<int>& list, int first, int entry) {
 }  // namespace
 
 MortarTerm::MortarTerm(const ContactPair& pair, const Partition& partition, const DofSpace& dofs)
-    : pair_(pair), dofs_(dofs), rule_(triangle_rule(pair.quadrature_degree)), patches_(pair.secondary.patches()) {
+    : ContactTerm(pair, dofs), pair_(pair), rule_(triangle_rule(pair.quadrature_degree)), patches_(pair.secondary.patches()) {
   const auto& nodes = pair.secondary_nodes;
   first_facet_.assign(nodes.size(), -1);
   for (std::size_t k = 0; k < pair.secondary.facets.size(); ++k) {

@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "assembly/contact_term.hpp"
 #include "assembly/pair_tangent.hpp"
-#include "assembly/system_matrix.hpp"
 #include "contact/bounding_volume.hpp"
-#include "scene.hpp"
 
 namespace mortise {
 
@@ -19,49 +18,31 @@ struct ContactCounts {
   long turned_away = 0;  ///< of these, not facing each other within 80 degrees
 };
 
-/// Sums over the facets round each secondary node, on the overlap at the indices of its pressure.
-struct NodalSums {
-  explicit NodalSums(const DofSpace& dofs)
-      : weighted_gap(dofs.overlap_map()), covered_area(dofs.overlap_map()), whole_area(dofs.overlap_map()) {}
-  Vector weighted_gap, covered_area, whole_area;
-};
-
 /// One contact pair on this rank: the secondary facets whose element the rank owns.
-/// Order of calls: `search`, then per evaluation `integrate` -> (nodal sums over ranks, law) -> `add_...`.
-class MortarTerm {
+class MortarTerm : public ContactTerm {
  public:
   MortarTerm(const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
 
   /// Lists for each facet the primary facets whose boxes overlap its own, stretched outward along the normal by `farthest`,
   /// inward by `inward`, and widened by `reach`. @param x positions on the overlap
   /// @return whether a list changed
-  bool search(const double* x, double reach, double inward);
+  bool search(const double* x, double reach, double inward) override;
+
+  void begin_step(const double*, const TimeScheme&) override {}
 
   /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
-  void append_cells(std::vector<Cell>& cells);
+  void append_cells(std::vector<Cell>& cells) override;
 
-  /// Evaluates all pairs at positions and pressures `x` (overlap). Adds to nodal sums on the overlap, at the pressures' indices:
-  /// weighted gap [m^3], covered area and whole area (as if all of the surface were covered) [m^2]; and the contact force to the
-  /// rows of the nodes in `f`.
-  void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums);
-
-  /// Adds the tangent; the row of a pressure is  a d(weighted gap) + b d(covered area) + c d(whole area).
-  /// @param a, b, c factors (overlap, at the pressures' indices)  @param force_weight factor on the rows of forces
-  void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const;
-
-  /// Adds the rows of forces alone, for forces that act elsewhere than where gaps close.
-  /// @param weight factor on them  @param theta further factor on their columns of positions: dx/dq of the time scheme
-  void add_force_tangent(double weight, double theta, SystemMatrix& K) const;
+  void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) override;
+  void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const override;
+  void add_force_tangent(double weight, double theta, SystemMatrix& K) const override;
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }
   void resume_counts(const ContactCounts& counts) { counts_ = counts; }
 
-  /// Point of the k-th secondary node's pressure.
-  int pressure_point(std::size_t k) const { return dofs_.n_nodes() + pair_.first_multiplier + static_cast<int>(k); }
-
-  /// Averaged unit normals of all secondary nodes at positions `x` (overlap).
-  std::vector<Vec3<double>> normals(const double* x) const;
+  /// Averaged unit normals of all secondary nodes.
+  std::vector<Vec3<double>> normals(const double* x) const override;
 
   /// Greatest relative closure error |covered - facet area| / facet area over fully covered facets in the last `integrate`, and
   /// their number.
@@ -84,13 +65,8 @@ class MortarTerm {
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
   void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;
   std::size_t width(const Facet& facet) const { return 3 * static_cast<std::size_t>(facet.n_patch + facet.n_primary) + 4; }
-  Vec3<double> position(const double* x, int node) const {
-    const double* q = x + dofs_.local(node);
-    return {q[0], q[1], q[2]};
-  }
 
   const ContactPair& pair_;
-  const DofSpace& dofs_;
   const std::vector<TrianglePoint>& rule_;
   std::vector<NodePatch> patches_;  // per secondary node
   std::vector<Facet> facets_;

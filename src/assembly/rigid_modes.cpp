@@ -121,6 +121,14 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
       add_row();
     }
   }
+  for (const auto& obstacle : scene.obstacles)
+    for (std::size_t k = 0; k < obstacle.secondary_nodes.size(); ++k) {
+      const std::size_t multiplier = obstacle.first_multiplier + k;
+      if (!obstacle.activity.acts_after(from) || !(closed[multiplier] || obstacle.is_two_sided)) continue;
+      const int node = obstacle.secondary_nodes[k];
+      add_motion(body_of(scene, node), X[node], normals[multiplier], 1);
+      add_row();
+    }
 
   std::vector<double> eigenvalues(n), work(64 * static_cast<std::size_t>(n));
   int info = 0;

@@ -17,49 +17,57 @@ namespace {
 // gap. So the law yields there: gap + s p = 0, s = yielding (whole area / covered area - 1)^2, which is 0 where all is covered,
 // small where much is, and lets go of slivers. A millionth of both sides' h/E [m/Pa] is about the least with which the ironing
 // with the coarse side as secondary needs no cut; it lowers the force there by an eighth.
-double yielding(const ContactPair& pair) {
-  return 1e-6 * (pair.size / pair.youngs_modulus + pair.primary_size / pair.primary_youngs_modulus);
-}
+double yielding(const ContactNodes& nodes) { return 1e-6 * (nodes.size / nodes.youngs_modulus + nodes.opposite_compliance); }
 
 }  // namespace
 
 void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows) {
   out.compliance = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  double *gap = data(*out.gap), *residual = data(*out.residual), *compliance = data(*out.compliance);
+  out.closing_gap = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  double *gap = data(*out.gap), *residual = data(*out.residual), *compliance = data(*out.compliance),
+         *closing_gap = data(*out.closing_gap);
   double *d_gap = data(rows.gap), *d_covered = data(rows.covered), *d_whole = data(rows.whole);
   const double *area = data(*out.area), *pressure = data(x), *whole = data(whole_area);
   out.closed.assign(scene_.n_multipliers, 0);
   out.covered.assign(scene_.n_multipliers, 0);
   std::vector<int> partly_covered;
-  for (const auto& pair : pairs_) {
-    const ContactPair& p = pair->pair();
-    for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
-      const int point = pair->pressure_point(k);
+  for (const auto& contact : contacts_) {
+    const ContactNodes& nodes = contact->nodes();
+    for (std::size_t k = 0; k < nodes.secondary_nodes.size(); ++k) {
+      const int point = contact->pressure_point(k);
       if (!dofs_.owned(point)) continue;
-      const int at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
-      const bool covered = area[at] > 1e-10 * p.tributary_area[k];
-      out.covered[multiplier] = covered;
-      identity_rows_[at] = !covered;
-      if (!covered) {
-        gap[at] = 0;
+      const int at = dofs_.local(point), multiplier = nodes.first_multiplier + static_cast<int>(k);
+      const bool is_covered = area[at] > 1e-10 * nodes.tributary_area[k];
+      const double weighted_gap = gap[at];
+      gap[at] = is_covered ? weighted_gap / area[at] : 0;
+      const std::optional<double> start = is_covered ? start_of_closing(nodes, k, at, pressure[at]) : std::nullopt;
+      identity_rows_[at] = !start;
+      if (!start) {
         residual[at] = pressure[at];
         out.pressure_residual = std::max(out.pressure_residual, std::abs(pressure[at]));
         continue;
       }
-      gap[at] /= area[at];
+      closing_gap[at] = (weighted_gap - *start) / area[at];
       // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
       d_gap[at] = 1 / area[at];
-      d_covered[at] = -gap[at] / area[at];
+      d_covered[at] = -closing_gap[at] / area[at];
+      if (nodes.is_two_sided) {
+        residual[at] = closing_gap[at];
+        out.gap_residual = std::max(out.gap_residual, std::abs(residual[at]));
+        out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
+        continue;
+      }
+      out.covered[multiplier] = 1;
       const double lacking = whole[at] / area[at] - 1 - 1e-6;  // quadrature on warped facets leaves 1e-7 where all is covered
       if (lacking > 0) {
-        const double factor = yielding(p);
+        const double factor = yielding(nodes);
         compliance[at] = factor * lacking * lacking;
         d_covered[at] -= 2 * factor * lacking * pressure[at] * whole[at] / (area[at] * area[at]);
         d_whole[at] = 2 * factor * lacking * pressure[at] / area[at];
       }
-      const double c = complementarity_constant(p, k, area[at]);
-      const double round_off = scene_.pressure_floor(), law = complementarity(pressure[at], gap[at], c, round_off);
-      const bool closed = is_closed(pressure[at], gap[at], c, round_off);
+      const double c = complementarity_constant(nodes, k, area[at]);
+      const double round_off = scene_.pressure_floor(), law = complementarity(pressure[at], closing_gap[at], c, round_off);
+      const bool closed = is_closed(pressure[at], closing_gap[at], c, round_off);
       out.closed[multiplier] = closed;
       if (closed && compliance[at] > 0) partly_covered.push_back(multiplier);
       // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
@@ -78,12 +86,38 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
   for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
 }
 
+// The weighted gap [m^3] from which a covered node's closing counts in this step; nothing: the node is not in contact in it.
+std::optional<double> StepProblem::start_of_closing(const ContactNodes& nodes, std::size_t k, int at, double pressure) const {
+  if (nodes.closing == Closing::position || dt_ == 0) return 0;
+  const double before = data(static_cast<const Vector&>(*start_gap_))[at],
+               area = data(static_cast<const Vector&>(*start_area_))[at];
+  if (nodes.closing == Closing::modified) return pressure > 0 ? before : 0;
+  const bool has_touched = area > 1e-10 * nodes.tributary_area[k] && before <= 1e-8 * nodes.size * area;
+  return has_touched ? std::optional<double>(before) : std::nullopt;
+}
+
+void StepProblem::find_gaps_before(const Vector& x) {
+  const bool is_needed = dt_ > 0 && std::any_of(contacts_.begin(), contacts_.end(), [](const auto& contact) {
+                           return contact->nodes().closing != Closing::position;
+                         });
+  if (!is_needed) return;
+  update_search(x, *start_x_);
+  NodalSums sums(dofs_);
+  Vector unused(dofs_.overlap_map());
+  for (auto& contact : contacts_)
+    if (acts(*contact)) contact->integrate(data(*start_x_), false, data(unused), sums);
+  start_gap_ = owned_sum(sums.weighted_gap);
+  start_area_ = owned_sum(sums.covered_area);
+}
+
 // c_n [Pa/m]: both bodies' normal stiffness per area in series, k_I / A_I of the secondary node and E/h of the primary body, so
 // that the softer one rules. (The stiff side's own k_I / A_I would open every node of a hard indenter at the slightest residual
-// gap.)
-double StepProblem::complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const {
-  const double secondary = std::max(normal_stiffness_[pair.first_multiplier + k] / covered_area, pair.youngs_modulus / pair.size);
-  return 1 / (1 / secondary + pair.primary_size / pair.primary_youngs_modulus);
+// gap.) The inertia of a step stiffens a node.
+double StepProblem::complementarity_constant(const ContactNodes& nodes, std::size_t k, double covered_area) const {
+  const std::size_t multiplier = nodes.first_multiplier + k;
+  const double stiffness = normal_stiffness_[multiplier] + kinematics_.inertia.dq * normal_mass_[multiplier],
+               secondary = std::max(stiffness / covered_area, nodes.youngs_modulus / nodes.size);
+  return 1 / (1 / secondary + nodes.opposite_compliance);
 }
 
 // Reference positions, no pressure.
@@ -99,15 +133,19 @@ RCP<Vector> StepProblem::reference_state() const {
 // Normal stiffness k_I of each secondary node in the reference configuration; no support has been set yet.
 void StepProblem::find_normal_stiffness() {
   normal_stiffness_.assign(scene_.n_multipliers, 0.0);
+  normal_mass_.assign(scene_.n_multipliers, 0.0);
+  Vector ones(dofs_.owned_map());
+  ones.putScalar(1.0);
+  const auto mass = momenta(ones);
   RCP<Matrix> K;
   const auto X = reference_state();
   linearise(*X, K);
   const auto local = K->getLocalMatrixHost();
   const auto overlap_x = to_overlap(*X);
-  for (const auto& pair : pairs_) {
-    const auto normals = pair->normals(data(*overlap_x));
+  for (const auto& contact : contacts_) {
+    const auto normals = contact->normals(data(*overlap_x));
     for (std::size_t k = 0; k < normals.size(); ++k) {
-      const int node = pair->pair().secondary_nodes[k];
+      const int node = contact->nodes().secondary_nodes[k];
       if (!dofs_.owned(node)) continue;
       double stiffness = 0;
       for (int i = 0; i < 3; ++i) {
@@ -117,7 +155,8 @@ void StepProblem::find_normal_stiffness() {
           if (j >= 0 && j < 3) stiffness += normals[k][i] * local.values(entry) * normals[k][j];
         }
       }
-      normal_stiffness_[pair->pair().first_multiplier + k] = stiffness;
+      normal_stiffness_[contact->nodes().first_multiplier + k] = stiffness;
+      normal_mass_[contact->nodes().first_multiplier + k] = data(*mass)[dofs_.local(node)];
     }
   }
 }
@@ -125,17 +164,19 @@ void StepProblem::find_normal_stiffness() {
 State StepProblem::initial_state() {
   State state{0, reference_state(), search_, Teuchos::null, Teuchos::null};
   start_motion(state);
-  if (pairs_.empty()) return state;
+  if (contacts_.empty()) return state;
 
   const Evaluation at_rest = evaluate(*state.x);
   double* x = data(*state.x);
   const double *gap = data(*at_rest.gap), *area = data(*at_rest.area);
   std::vector<int> deep(scene_.n_multipliers, 0);
   std::vector<double> depth(scene_.n_multipliers, 0.0);
-  for (const auto& pair : pairs_) {
-    const ContactPair& p = pair->pair();
+  for (const auto& contact : contacts_) {
+    const ContactNodes& p = contact->nodes();
+    if (p.is_two_sided) continue;
     for (std::size_t k = 0; k < p.secondary_nodes.size(); ++k) {
-      const int point = pair->pressure_point(k), at = dofs_.local(point), multiplier = p.first_multiplier + static_cast<int>(k);
+      const int point = contact->pressure_point(k), at = dofs_.local(point),
+                multiplier = p.first_multiplier + static_cast<int>(k);
       if (!dofs_.owned(point) || !(area[at] > 1e-10 * p.tributary_area[k])) continue;
       const double touch = 1e-8 * p.size;
       if (gap[at] < -touch) {
@@ -149,7 +190,8 @@ State StepProblem::initial_state() {
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, deep);
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, depth);
   std::vector<std::string> messages;
-  for (const auto& pair : scene_.pairs) {
+  for (const ContactNodes* contact : scene_.contacts()) {
+    const ContactNodes& pair = *contact;
     int n_deep = 0, deepest = -1;
     for (int k = 0; k < static_cast<int>(pair.secondary_nodes.size()); ++k) {
       if (!deep[pair.first_multiplier + k]) continue;

@@ -36,6 +36,8 @@ std::string StepProblem::begin_step(const State& from, double t) {
   const double t_force = scheme_.forces == ForceReading::mean ? t : from.time + scheme_.theta * dt_;
   dead_ = dead(t_force, fault);
   for (auto& follower : followers_) follower.set_time(time_, t_force, fault);
+  for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_);
+  find_gaps_before(*from.x);
   return agreed(*dofs_.comm(), fault);
 }
 
@@ -160,7 +162,7 @@ double StepProblem::contact_weight_at_end() const {
   return weight;
 }
 
-// Adds the forces of pairs [first, end) that do not act at the end of the step, with pressures from there.
+// Adds the forces of contacts [first, end) that do not act at the end of the step, with pressures from there.
 void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end,
                                       Vector& contact) {
   for (const auto& pass : contact_passes()) {
@@ -169,8 +171,9 @@ void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_ta
     Vector force(dofs_.overlap_map());
     NodalSums unused(dofs_);
     for (std::size_t k = first; k < end; ++k) {
-      pairs_[k]->integrate(data(*x), with_tangent, data(force), unused);
-      if (with_tangent) pairs_[k]->add_force_tangent(pass.weight, pass.theta, *matrix_);
+      if (!acts(*contacts_[k])) continue;
+      contacts_[k]->integrate(data(*x), with_tangent, data(force), unused);
+      if (with_tangent) contacts_[k]->add_force_tangent(pass.weight, pass.theta, *matrix_);
     }
     contact.update(pass.weight, force, 1.0);
   }
@@ -182,7 +185,8 @@ RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::siz
   if (const double weight = contact_weight_at_end(); weight != 0) {
     Vector force(dofs_.overlap_map());
     NodalSums unused(dofs_);
-    for (std::size_t k = first; k < end; ++k) pairs_[k]->integrate(data(*overlap_x), false, data(force), unused);
+    for (std::size_t k = first; k < end; ++k)
+      if (acts(*contacts_[k])) contacts_[k]->integrate(data(*overlap_x), false, data(force), unused);
     contact.update(weight, force, 1.0);
   }
   return owned_sum(contact);

@@ -26,7 +26,12 @@ class Stopwatch {
 StepProblem::StepProblem(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm)
     : scene_(scene), dofs_(scene, partition, comm), dead_loads_(scene, partition, dofs_) {
   for (const auto& body : scene.bodies) bodies_.push_back(std::make_unique<BodyTerm>(scene, body, partition, dofs_));
-  for (const auto& pair : scene.pairs) pairs_.push_back(std::make_unique<MortarTerm>(pair, partition, dofs_));
+  for (const auto& pair : scene.pairs) {
+    auto term = std::make_unique<MortarTerm>(pair, partition, dofs_);
+    pairs_.push_back(term.get());
+    contacts_.push_back(std::move(term));
+  }
+  for (const auto& obstacle : scene.obstacles) contacts_.push_back(std::make_unique<ObstacleTerm>(scene, obstacle, dofs_));
   for (const auto& load : scene.loads)
     if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);
   for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
@@ -45,7 +50,7 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
       for (int m = 0; m < n_pressures(body.formulation, element_type(scene.mesh.mesh, e)); ++m)
         if (const int point = scene.pressure_point(e, m); dofs_.owned(point))
           pressure_volumes_.emplace_back(dofs_.local(point), body.size * body.size * body.size);
-  if (!pairs_.empty()) find_normal_stiffness();
+  if (!contacts_.empty()) find_normal_stiffness();
 }
 
 RCP<Vector> StepProblem::to_overlap(const Vector& owned) const {
@@ -92,7 +97,7 @@ void StepProblem::build_graph() {
   const Stopwatch watch(counts_.seconds_assembly);
   std::vector<Cell> cells;
   for (auto& body : bodies_) body->append_cells(cells);
-  for (auto& pair : pairs_) pair->append_cells(cells);
+  for (auto& contact : contacts_) contact->append_cells(cells);
   for (auto& term : followers_) term.append_cells(cells);
   for (auto& term : springs_) term.append_cells(cells);
   for (auto& term : dampings_) term.append_cells(cells);
@@ -222,9 +227,10 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   const double weight_at_end = contact_weight_at_end();
   {
     const Stopwatch watch(counts_.seconds_contact);
-    add_contact_between(overlap_x, with_tangent, 0, pairs_.size(), contact);
+    add_contact_between(overlap_x, with_tangent, 0, contacts_.size(), contact);
     Vector at_end(dofs_.overlap_map());
-    for (auto& pair : pairs_) pair->integrate(data(*overlap_x), with_tangent, data(at_end), sums);
+    for (auto& term : contacts_)
+      if (acts(*term)) term->integrate(data(*overlap_x), with_tangent, data(at_end), sums);
     contact.update(weight_at_end, at_end, 1.0);
   }
 
@@ -246,7 +252,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
 
   identity_rows_.assign(dofs_.n_owned(), 0);
   LawRows rows(dofs_.owned_map());
-  if (!pairs_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
+  if (!contacts_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
 
   std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale, 0};
   {
@@ -277,7 +283,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
     {
       const Stopwatch watch(counts_.seconds_contact);
       const auto a = to_overlap(rows.gap), b = to_overlap(rows.covered), c = to_overlap(rows.whole);
-      for (auto& pair : pairs_) pair->add_tangent(data(*a), data(*b), data(*c), weight_at_end, *matrix_);
+      for (auto& term : contacts_)
+        if (acts(*term)) term->add_tangent(data(*a), data(*b), data(*c), weight_at_end, *matrix_);
     }
     const Stopwatch watch(counts_.seconds_assembly);
     if (!out.compliance.is_null()) {
@@ -306,7 +313,7 @@ Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
   const auto force = contact_force_of(to_overlap(x), k, k + 1);
   const double* f = data(*force);
   std::vector<double> sum(3, 0.0);
-  for (int node : scene_.pairs[k].secondary_nodes)
+  for (int node : contacts_[k]->nodes().secondary_nodes)
     if (dofs_.owned(node))
       for (int i = 0; i < 3; ++i) sum[i] -= f[dofs_.local(node) + i];
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, sum);
@@ -319,7 +326,7 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   const double* from = data(pressures);
   for (int point : dofs_.overlap_points())
     if (dofs_.owned(point) && dofs_.size(point) == 1) to[dofs_.local(point)] = from[dofs_.local(point)];
-  return contact_force_of(to_overlap(mixed), 0, pairs_.size());
+  return contact_force_of(to_overlap(mixed), 0, contacts_.size());
 }
 
 }  // namespace mortise

@@ -10,6 +10,7 @@
 #include "assembly/follower_term.hpp"
 #include "assembly/inertia_term.hpp"
 #include "assembly/mortar_term.hpp"
+#include "assembly/obstacle_term.hpp"
 #include "assembly/spring_term.hpp"
 
 namespace mortise {
@@ -40,6 +41,7 @@ struct Evaluation {
   RCP<Vector> unbalanced;                   ///< the residual before supports and law take their rows: there the reactions [N]
   /// Components that supports hold: each once, with the first support of the deck that acts on it.
   std::shared_ptr<const std::vector<PrescribedDof>> prescribed;
+  RCP<Vector> closing_gap;       ///< the gap that the law closes, see `Closing` [m]
   RCP<Vector> gap;               ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
   RCP<Vector> area;              ///< covered area at the rows of pressures [m^2]
   RCP<Vector> compliance;        ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
@@ -122,7 +124,8 @@ class StepProblem {
   const Search& search() const { return search_; }
   const std::vector<std::unique_ptr<BodyTerm>>& bodies() const { return bodies_; }
   const std::vector<InertiaTerm>& inertias() const { return inertias_; }
-  const std::vector<std::unique_ptr<MortarTerm>>& pairs() const { return pairs_; }
+  const std::vector<MortarTerm*>& pairs() const { return pairs_; }  ///< those of the contacts that are pairs of surfaces
+  const std::vector<std::unique_ptr<ContactTerm>>& contacts() const { return contacts_; }
 
   /// Strain energy of this rank's elements and of its springs that act now [J].
   double strain_energy(const double* x) const;
@@ -144,8 +147,8 @@ class StepProblem {
   /// The owned part of a vector over all unknowns that every rank knows: `gather` undone.
   RCP<Vector> scatter(const std::vector<double>& all) const;
 
-  /// Sum of the contact forces of one pair on its secondary surface in this step [N] (the force acts on the body).
-  Vec3<double> force_on_secondary(const Vector& x, std::size_t pair);
+  /// Sum of the contact forces of one contact on its secondary surface in this step [N] (the force acts on the body).
+  Vec3<double> force_on_secondary(const Vector& x, std::size_t contact);
 
   /// Contact force of this step with pressures `p` taken from `pressures` and positions from `x`; sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
@@ -169,6 +172,7 @@ class StepProblem {
   RCP<Vector> positions_at(double theta, const RCP<Vector>& overlap_x) const;
   bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal);
   void find_forces_before(double t_before, std::string& fault);
+  void find_gaps_before(const Vector& x);
   struct ContactPass {
     double theta, weight;
   };
@@ -186,12 +190,15 @@ class StepProblem {
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
   void find_normal_stiffness();
-  double complementarity_constant(const ContactPair& pair, std::size_t k, double covered_area) const;
+  double complementarity_constant(const ContactNodes& nodes, std::size_t k, double covered_area) const;
+  bool acts(const ContactTerm& contact) const { return contact.nodes().activity.acts_at(time_) || dt_ == 0; }
+  std::optional<double> start_of_closing(const ContactNodes& nodes, std::size_t k, int at, double pressure) const;
 
   const Scene& scene_;
   DofSpace dofs_;
   std::vector<std::unique_ptr<BodyTerm>> bodies_;
-  std::vector<std::unique_ptr<MortarTerm>> pairs_;
+  std::vector<std::unique_ptr<ContactTerm>> contacts_;
+  std::vector<MortarTerm*> pairs_;
   DeadLoads dead_loads_;
   std::vector<FollowerTerm> followers_;
   std::vector<SpringTerm> springs_;
@@ -220,7 +227,9 @@ class StepProblem {
   std::shared_ptr<const std::vector<PrescribedDof>> acting_ = std::make_shared<std::vector<PrescribedDof>>();
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> dead_;                                // owned: force of the dead loads at time_
-  std::vector<double> normal_stiffness_;            // per multiplier, owned by this rank or 0 [N/m]: see complementarity_constant
+  // Per multiplier, owned by this rank or 0: see complementarity_constant.
+  std::vector<double> normal_stiffness_, normal_mass_;  // [N/m], [kg]
+  RCP<Vector> start_gap_, start_area_;  // weighted gaps [m^3] and covered areas [m^2] at the start of the step, where needed
   std::vector<char> identity_rows_;
   std::vector<std::pair<int, double>> pressure_volumes_;  // owned local unknown of an element's pressure, an element's volume
   WorkCounts counts_;

@@ -118,6 +118,8 @@ class CrossChecks {
   void check_sets() {
     for (const auto& [name, support] : options_.supports) check_set(support.set, {"supports", name, "set"});
     for (const auto& [name, spring] : options_.springs) check_set(spring.set, {"springs", name, "set"});
+    for (const auto& [name, obstacle] : options_.obstacles) check_set(obstacle.set, {"obstacles", name, "set"});
+    for (const auto& [name, rod] : options_.rods) check_mesh(rod.mesh, {"rods", name, "mesh"});
     for (const auto& [name, probe] : options_.probes) check_mesh(probe.mesh, {"probes", name, "mesh"});
   }
 
@@ -170,15 +172,15 @@ class CrossChecks {
         report("D13", {"initial conditions", name},
                "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " + scheme);
     }
-    const bool has_contact = !options_.contact.empty();
+    const bool has_contact = !contact_names().empty();
     if (const std::string fault = instability(options_.time.scheme, has_contact); !fault.empty())
       report("D19", {"time", "scheme"}, fault);
-    if (has_contact && std::holds_alternative<schemes::EnergyMomentum>(options_.time.scheme))
+    if (!options_.contact.empty() && std::holds_alternative<schemes::EnergyMomentum>(options_.time.scheme))
       report("D19", {"time", "scheme"},
              "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
     if (std::holds_alternative<schemes::ForwardEuler>(options_.time.scheme) &&
         (has_contact || !options_.supports.empty() || !plane_strain_supports().empty()))
-      report("D19", {"time", "scheme"}, "takes no supports and no contact: it is explicit");
+      report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
   }
 
   /// Which formulations know the forces of a scheme.
@@ -192,7 +194,26 @@ class CrossChecks {
              "cannot be \"mixed\" where time > \"scheme\" = " + scheme + " takes the mean of two forces");
   }
 
+  /// All that has a contact force: the history has columns for each by its name.
+  std::vector<std::string> contact_names() const {
+    std::vector<std::string> names = names_in(options_.contact);
+    for (const auto& list : {names_in(options_.obstacles), names_in(options_.rods)})
+      names.insert(names.end(), list.begin(), list.end());
+    return names;
+  }
+
+  template <class Options>
+  void check_contact_names(const std::string& list, const Named<Options>& entries, std::set<std::string>& taken) {
+    for (const auto& entry : entries)
+      if (!taken.insert(entry.first).second)
+        report("D11", {list, entry.first}, "this name is taken by an entry of `contact`, `obstacles` or `rods` already");
+  }
+
   void check_contact() {
+    const std::vector<std::string> pairs = names_in(options_.contact);
+    std::set<std::string> taken(pairs.begin(), pairs.end());
+    check_contact_names("obstacles", options_.obstacles, taken);
+    check_contact_names("rods", options_.rods, taken);
     for (const auto& [name, pair] : options_.contact) {
       check_set(pair.secondary, {"contact", name, "secondary"});
       check_set(pair.primary, {"contact", name, "primary"});
@@ -206,7 +227,7 @@ class CrossChecks {
   void check_quantities() {
     std::map<std::string, std::vector<std::string>> entries;
     for (const char* axis : {"x", "y", "z"}) {
-      entries[std::string("contact_force_") + axis] = names_in(options_.contact);
+      entries[std::string("contact_force_") + axis] = contact_names();
       std::vector<std::string>& supports = entries[std::string("reaction_") + axis] = names_in(options_.supports);
       for (const std::string& name : plane_strain_supports()) supports.push_back(name);
     }
@@ -246,6 +267,9 @@ class CrossChecks {
     check_starts("supports", options_.supports);
     check_starts("springs", options_.springs);
     check_starts("loads", options_.loads);
+    check_starts("contact", options_.contact);
+    check_starts("obstacles", options_.obstacles);
+    check_starts("rods", options_.rods);
   }
 
   /// What starts when the run is over does nothing.
@@ -307,7 +331,7 @@ class CrossChecks {
       case FieldNeed::supports:
         return options_.supports.empty() ? "the deck has no supports" : "";
       case FieldNeed::contact:
-        return options_.contact.empty() ? "the deck has no contact" : "";
+        return contact_names().empty() ? "the deck has no contact" : "";
     }
     return "";
   }

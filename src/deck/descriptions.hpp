@@ -110,6 +110,8 @@ void describe(Fields& f, ContactOptions& o) {
       "quadrature degree", o.quadrature_degree,
       within(4, 8).because("products of two bilinear shape functions have degree 4: a lower rule is not exact even on squares"),
       "-", "polynomial degree integrated exactly on each triangle of a segment");
+  describe(f, o.closing);
+  describe(f, o.activity);
 }
 
 template <class Fields>
@@ -217,6 +219,11 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("springs", o.springs, Presence::optional, "springs to the ground");
   f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
+  f.named("obstacles", o.obstacles, Presence::optional,
+          "rigid things that nodes may not enter; a node's pressure is its force over its share of the sides of the set, or "
+          "(node sets) "
+          "over the square of the smallest element size");
+  f.named("rods", o.rods, Presence::optional, "rigid rods without mass from a point in space to a node");
   f.named("initial conditions", o.initial_conditions, Presence::optional,
           "how bodies move at the start, each named as its body; without it a body is at rest");
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");

@@ -12,6 +12,7 @@
 #include "deck/initial_options.hpp"
 #include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
+#include "deck/obstacle_options.hpp"
 #include "deck/scheme_options.hpp"
 #include "deck/support_options.hpp"
 #include "mesh/recipes/recipes.hpp"
@@ -59,6 +60,8 @@ struct ContactOptions {
   ContactMethod method = ContactMethod::mortar;
   ContactForce force = ContactForce::thesis;
   int quadrature_degree = 5;  ///< of the rule on each triangle of a segment
+  Closing closing = Closing::position;
+  Activity activity;
 };
 
 struct TimeOptions {
@@ -136,6 +139,8 @@ struct DeckOptions {
   Named<SpringOptions> springs;
   Named<LoadOptions> loads;
   Named<ContactOptions> contact;
+  Named<ObstacleOptions> obstacles;
+  Named<RodOptions> rods;
   Named<InitialOptions> initial_conditions;  ///< by body
   TimeOptions time;
   SolverOptions solver;

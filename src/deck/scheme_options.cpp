@@ -40,7 +40,11 @@ TimeScheme scheme(const schemes::Trapezoidal&) { return of_velocity(0.5, ForceRe
 TimeScheme scheme(const schemes::Midpoint&) { return of_velocity(0.5, ForceReading::at_point, 0.5, 0.5); }
 // p_{n+1} = p_n - dt f(q_alpha) and q_{n+1} = q_n + dt M^-1 (p_n - (1 - alpha) dt f(q_alpha)): w = 1 - alpha.
 TimeScheme scheme(const schemes::VariationalMidpoint& o) { return of_velocity(1 - o.alpha, ForceReading::at_point, o.alpha, 0); }
-TimeScheme scheme(const schemes::EnergyMomentum&) { return of_velocity(0.5, ForceReading::algorithmic, 0.5, 0.5); }
+TimeScheme scheme(const schemes::EnergyMomentum&) {
+  TimeScheme keeps_energy = of_velocity(0.5, ForceReading::algorithmic, 0.5, 0.5);
+  keeps_energy.has_discrete_contact = true;
+  return keeps_energy;
+}
 TimeScheme scheme(const schemes::EnergyMomentumMidpointContact&) { return of_velocity(0.5, ForceReading::algorithmic, 0.5, 0.5); }
 template <class Kind>
 TimeScheme scheme(const Kind& o) {

@@ -19,8 +19,8 @@ namespace {
 
 std::vector<std::string> columns_of(const Scene& scene) {
   std::vector<std::string> columns(step_columns.begin(), step_columns.end());
-  for (const auto& pair : scene.pairs)
-    for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("contact_force_{}.{}", axis, pair.name));
+  for (const ContactNodes* contact : scene.contacts())
+    for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("contact_force_{}.{}", axis, contact->name));
   for (const auto& support : scene.supports)
     for (const char* axis : {"x", "y", "z"}) columns.push_back(fmt::format("reaction_{}.{}", axis, support.name));
   columns.insert(columns.end(), ledger_columns.begin(), ledger_columns.end());
@@ -99,7 +99,7 @@ void History::observe(StepProblem& problem, const State& before, const State& no
                           static_cast<double>(at.n_closed),
                           0.0,
                           0.0};
-  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+  for (std::size_t k = 0; k < problem.contacts().size(); ++k) {
     const auto force = problem.force_on_secondary(*now.x, k);
     row.insert(row.end(), {force[0], force[1], force[2]});
   }

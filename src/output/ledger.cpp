@@ -79,7 +79,7 @@ ContactWork contact_work(const Ledger& ledger, StepProblem& problem, const State
   ContactWork work;
   work.whole = -at.contact->dot(dq);
   const Scene& scene = problem.scene();
-  if (scene.pairs.empty()) return work;
+  if (scene.n_multipliers == 0) return work;
   const auto gap = problem.gather(*at.gap), area = problem.gather(*at.area), x = problem.gather(*now.x);
   const std::size_t first = 3 * static_cast<std::size_t>(problem.dofs().n_nodes());
   Vector newly(*now.x, Teuchos::Copy);

@@ -17,17 +17,17 @@ using NodalField = std::vector<std::vector<double>>;
 std::vector<double> at_secondary_nodes(const StepProblem& problem, const std::vector<double>& unknowns) {
   const int n = problem.dofs().n_nodes();
   std::vector<double> values(n, 0.0);
-  for (const auto& pair : problem.scene().pairs)
-    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
-      values[pair.secondary_nodes[k]] = unknowns[3 * static_cast<std::size_t>(n) + pair.first_multiplier + k];
+  for (const ContactNodes* contact : problem.scene().contacts())
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+      values[contact->secondary_nodes[k]] = unknowns[3 * static_cast<std::size_t>(n) + contact->first_multiplier + k];
   return values;
 }
 
 std::vector<double> contact_status(const StepProblem& problem, const Evaluation& at) {
   std::vector<double> values(problem.dofs().n_nodes(), 0.0);
-  for (const auto& pair : problem.scene().pairs)
-    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
-      values[pair.secondary_nodes[k]] = at.closed[pair.first_multiplier + k];
+  for (const ContactNodes* contact : problem.scene().contacts())
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+      values[contact->secondary_nodes[k]] = at.closed[contact->first_multiplier + k];
   return values;
 }
 
@@ -67,7 +67,7 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
     case Field::contact_pressure:
       return {at_secondary_nodes(problem, problem.gather(*state.x))};
     case Field::gap:
-      if (problem.scene().pairs.empty()) return {std::vector<double>(n, 0.0)};
+      if (problem.scene().n_multipliers == 0) return {std::vector<double>(n, 0.0)};
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
     case Field::status:
       return {contact_status(problem, at)};

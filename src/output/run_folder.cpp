@@ -129,7 +129,15 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     text += fmt::format("  internal force of \"{}\": on, {}, {} elements, formulation {}, tangent {}\n", body.name,
                         std::visit([](const auto& m) { return std::string(m.name); }, body.material), body.elements.size(),
                         word_for(formulation_names, body.formulation), word_for(tangent_names, body.tangent));
-  text += fmt::format("  inertia: off (static)\n  contact: {}\n  friction: off\n", on_off(!scene.pairs.empty()));
+  const auto is_rod = [](const Obstacle& o) { return o.is_two_sided; };
+  const auto n_rods = std::count_if(scene.obstacles.begin(), scene.obstacles.end(), is_rod);
+  text += fmt::format("  time scheme: {}\n  inertia: {}\n", name_of_kind(scene.time.scheme), on_off(scene.scheme.has_inertia()));
+  for (const auto& term : problem.inertias())
+    text +=
+        fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n", term.body().name,
+                    problem.mass_and_centre(term, *problem.reference_state()).first, word_for(mass_names, term.body().mass_kind));
+  text += fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: off\n", on_off(!scene.pairs.empty()),
+                      on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0));
   text += forces_and_motions(scene);
   for (const auto& pair : scene.pairs)
     text += fmt::format(

@@ -24,9 +24,9 @@ class LinearisedStep {
   LinearisedStep(const StepProblem& problem, const Vector& x, const Evaluation& at, const Matrix& tangent, LinearSolver& linear)
       : problem_(problem), at_(at), tangent_(tangent), linear_(linear), x_(x), change_(x.getMap()), closed_(at.closed) {
     const DofSpace& dofs = problem.dofs();
-    for (const auto& pair : problem.pairs())
-      for (std::size_t k = 0; k < pair->pair().secondary_nodes.size(); ++k) {
-        const int point = pair->pressure_point(k), multiplier = point - dofs.n_nodes();
+    for (const auto& contact : problem.contacts())
+      for (std::size_t k = 0; k < contact->nodes().secondary_nodes.size(); ++k) {
+        const int point = contact->pressure_point(k), multiplier = point - dofs.n_nodes();
         if (dofs.owned(point) && at.covered[multiplier]) rows_.push_back({dofs.local(point), multiplier});
       }
   }
@@ -54,7 +54,7 @@ class LinearisedStep {
     b.scale(-1.0);
     if (!rows_.empty()) {
       auto right = b.getDataNonConst();
-      const auto pressure = x_.getData(), gap = at_.gap->getData(), compliance = at_.compliance->getData();
+      const auto pressure = x_.getData(), gap = at_.closing_gap->getData(), compliance = at_.compliance->getData();
       for (const LawRow& row : rows_) {
         const double p = pressure[row.local];
         right[row.local] = closed_[row.multiplier] ? -(gap[row.local] + compliance[row.local] * p) : -p;
@@ -77,8 +77,8 @@ class LinearisedStep {
     tangent_.apply(d, change_);
     std::vector<double> mine(closed_.size(), 0.0), all(closed_.size(), 0.0);
     if (!rows_.empty()) {
-      const auto pressure = x_.getData(), gap = at_.gap->getData(), compliance = at_.compliance->getData(), dp = d.getData(),
-                 row_change = change_.getData();
+      const auto pressure = x_.getData(), gap = at_.closing_gap->getData(), compliance = at_.compliance->getData(),
+                 dp = d.getData(), row_change = change_.getData();
       for (const LawRow& row : rows_) {
         const int k = row.local;
         const double start = closed_[row.multiplier] ? pressure[k] : gap[k] + compliance[k] * pressure[k];
@@ -105,8 +105,9 @@ class WrongSigns {
  public:
   WrongSigns(const Scene& scene, const std::vector<char>& closed, const std::vector<double>& slack)
       : closed_(closed), no_gap_(closed.size(), 0.0) {
-    for (const auto& pair : scene.pairs)
-      for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) no_gap_[pair.first_multiplier + k] = 1e-13 * pair.size;
+    for (const ContactNodes* contact : scene.contacts())
+      for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+        no_gap_[contact->first_multiplier + k] = 1e-13 * contact->size;
     no_pressure_ = scene.pressure_floor();
     for (std::size_t k = 0; k < slack.size(); ++k)
       if (closed[k]) no_pressure_ = std::max(no_pressure_, 1e-12 * std::abs(slack[k]));

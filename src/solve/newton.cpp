@@ -118,8 +118,8 @@ class StepStatus : public NOX::StatusTest::Generic {
     const StepProblem& problem = shared_->problem;
     std::vector<Vec3<double>> normals;
     const auto x = problem.to_overlap(*start_.x);
-    for (const auto& pair : problem.pairs())
-      for (const auto& n : pair->normals(x->getData().getRawPtr())) normals.push_back(n);
+    for (const auto& contact : problem.contacts())
+      for (const auto& n : contact->normals(x->getData().getRawPtr())) normals.push_back(n);
     std::string text;
     for (const auto& body : free_bodies(problem.scene(), previous_, normals, start_.time))
       text += fmt::format("; body \"{}\" is free: {}", body.body, fmt::join(body.modes, ", "));

@@ -25,10 +25,10 @@ std::string iteration_table(const StepResult& result) {
 }
 
 std::string name_of_multiplier(const Scene& scene, int k) {
-  for (const auto& pair : scene.pairs)
-    if (k >= pair.first_multiplier && k < pair.first_multiplier + static_cast<int>(pair.secondary_nodes.size()))
-      return fmt::format("{} (pair \"{}\")", describe_node(scene.mesh, pair.secondary_nodes[k - pair.first_multiplier]),
-                         pair.name);
+  for (const ContactNodes* contact : scene.contacts())
+    if (k >= contact->first_multiplier && k < contact->first_multiplier + static_cast<int>(contact->secondary_nodes.size()))
+      return fmt::format("{} (\"{}\")", describe_node(scene.mesh, contact->secondary_nodes[k - contact->first_multiplier]),
+                         contact->name);
   return "?";
 }
 
