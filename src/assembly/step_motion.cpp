@@ -33,6 +33,14 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
   return is_good;
 }
 
+double StepProblem::local_error(const State& from, const State& to) const {
+  if (from.a.is_null() || !scene_.time.error_tolerance) return 0;
+  Vector change(*to.a, Teuchos::Copy);
+  change.update(-1.0, *from.a, 1.0);
+  const double dt = to.time - from.time;
+  return dt * dt / 12 * change.normInf();
+}
+
 bool StepProblem::is_admissible(const Vector& x) const {
   const auto overlap_x = to_overlap(x);
   Vector unused(dofs_.overlap_map());

@@ -96,6 +96,10 @@ class StepProblem {
   /// Fills in what follows from the unknowns `to.x` that solve the step begun at `from`: velocities and accelerations.
   void finish_step(const State& from, State& to) const;
 
+  /// Estimate of the error in position that a step made: dt^2 |a_n+1 - a_n| / 12, the greatest of all components [m]; 0 in
+  /// statics. For schemes of second order and smooth motion. Collective.
+  double local_error(const State& from, const State& to) const;
+
   /// Whether det F > 0 in all elements at `x`: what the residual does not see where the scheme evaluates it elsewhere.
   /// Collective.
   bool is_admissible(const Vector& x) const;

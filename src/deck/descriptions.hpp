@@ -125,6 +125,20 @@ void describe(Fields& f, TimeOptions& o) {
              "a run that needs shorter steps gives up; default: `step` / 1024");
   f.optional("growth", o.growth, at_least(1), "-", "factor on the step after an easy one");
   f.optional("easy iterations", o.easy_iterations, at_least(1), "-", "a step with at most so many Newton iterations is easy");
+  const bool has_inertia = scheme_of(o.scheme).has_inertia();
+  f.choice(
+      "first guess", o.first_guess,
+      Choices<FirstGuess>{{"old state", FirstGuess::old_state}, {"motion", FirstGuess::motion}, {"linear", FirstGuess::linear}},
+      Presence::optional,
+      "where Newton's method starts in a step: where the last one ended, moved on by velocity and acceleration, or (linear) "
+      "where the equations linearised at the old state end, which saves an iteration for a solve");
+  f.optional(
+      "error tolerance", o.error_tolerance, positive, "length",
+      "steps are sized so that dt^2 |a_n+1 - a_n| / 12, about the error in position that a second-order scheme makes in one "
+      "step of a smooth motion, stays below this at every node; a step with more is repeated");
+  f.optional("touch step", o.touch_step, positive, "time",
+             "a longer step in which nodes touch where none did is repeated with this length");
+  f.only_with({"first guess", "error tolerance"}, "scheme", has_inertia, "a \"scheme\" that has inertia");
   f.optional("stops", o.stops, positive, "time", "times that a step must hit; the end is hit in any case");
   f.rule("D08", {"step", "end"}, o.step <= o.end, "must be at most \"end\"", " = " + shortest(o.end));
   f.rule("D08", {"largest step", "step"}, o.largest_step.value_or(o.step) >= o.step, "must be at least \"step\"",
@@ -167,6 +181,8 @@ void describe(Fields& f, OutputOptions& o) {
       "values at the quadrature points, written to results.e as element variables <name>_<component>_<point>, points numbered "
       "from 1 as in the element's rule; what they are: see \"fields\"");
   f.optional("every", o.every, at_least(1), "-", "a frame is written every so many steps, and at every stop");
+  f.optional("times", o.times, at_least(0), "time",
+             "frames are written at the first steps that end at or after these times too; steps do not change for them");
 }
 
 template <class Fields>

@@ -64,15 +64,25 @@ struct ContactOptions {
   Activity activity;
 };
 
+/// Where Newton's method starts in a step.
+enum class FirstGuess {
+  old_state,
+  motion,  ///< q_n + dt v_n + dt^2/2 a_n (thesis eqs. 5.65-5.67)
+  linear   ///< one linear solve with the forces linearised at the old state (5.68)
+};
+
 struct TimeOptions {
   SchemeKind scheme;
+  FirstGuess first_guess = FirstGuess::old_state;
   double end = 0;
   double step = 0;
-  std::optional<double> largest_step;   ///< default: `step`
-  std::optional<double> smallest_step;  ///< default: step / 1024
-  double growth = 1.5;                  ///< factor after an easy step
-  int easy_iterations = 8;              ///< a step with at most that many Newton iterations is easy
-  std::vector<double> stops;            ///< times that a step must hit
+  std::optional<double> largest_step;     ///< default: `step`
+  std::optional<double> smallest_step;    ///< default: step / 1024
+  double growth = 1.5;                    ///< factor after an easy step
+  int easy_iterations = 8;                ///< a step with at most that many Newton iterations is easy
+  std::optional<double> error_tolerance;  ///< of positions, local to a step; none: steps are not sized by errors
+  std::optional<double> touch_step;       ///< step in which contact may close where there was none
+  std::vector<double> stops;              ///< times that a step must hit
 };
 
 enum class LinearSolverKind { automatic, direct, iterative };
@@ -91,6 +101,7 @@ struct OutputOptions {
   std::vector<std::string> fields{"displacement", "von mises"};  ///< at nodes
   std::vector<std::string> element_fields;                       ///< at quadrature points
   int every = 1;                                                 ///< Exodus frames: every n-th accepted step, and every stop
+  std::vector<double> times;                                     ///< and the first step that ends at or after each of these
 };
 
 /// When a checkpoint is written; one always is where a run begins and where it stops.

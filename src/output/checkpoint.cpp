@@ -73,6 +73,7 @@ void members(const Visit& visit, C& c) {
   visit("time", c.time);
   visit("dt", c.dt);
   visit("pending cuts", c.pending_cuts);
+  visit("closed nodes", c.n_closed);
   visit("steps", c.done.steps);
   visit("cuts", c.done.cuts);
   visit("newton iterations", c.done.newton_iterations);
@@ -138,6 +139,7 @@ Checkpoint make_checkpoint(const Origin& origin, const StepProblem& problem, con
   c.time = at.state.time;
   c.dt = at.dt;
   c.pending_cuts = at.pending_cuts;
+  c.n_closed = at.n_closed;
   c.done = at.counts;
   c.frames = frames;
   c.x = problem.gather(*at.state.x);
@@ -165,6 +167,7 @@ MarchState resume(const Checkpoint& c, StepProblem& problem) {
   if (!c.search_x.empty()) at.state.search = {problem.scatter(c.search_x), c.search_reach, c.search_inward};
   at.dt = c.dt;
   at.pending_cuts = c.pending_cuts;
+  at.n_closed = c.n_closed;
   at.counts = c.done;
   problem.begin_step(at.state, c.time);  // repeats the search
   problem.resume_counts(c.work, c.contact);

@@ -26,6 +26,7 @@ struct Checkpoint {
   double time = 0;  ///< of the state
   double dt = 0;    ///< next step
   int pending_cuts = 0;
+  int n_closed = 0;  ///< nodes in contact
   MarchCounts done;
   int frames = 0;  ///< in results.e
   std::vector<double> x;

@@ -1,5 +1,7 @@
 #include "output/results_writer.hpp"
 
+#include <algorithm>
+
 #include "output/nodal.hpp"
 #include "output/on_root.hpp"
 
@@ -37,7 +39,10 @@ ResultsWriter::ResultsWriter(const StepProblem& problem, const History& history,
 
 void ResultsWriter::observe(const StepProblem& problem, const State& now, const Evaluation& at, const StepRecord& record,
                             const History& history) {
-  if (record.step > 0 && !record.is_stop && record.step % problem.scene().output.every != 0) {
+  const OutputOptions& output = problem.scene().output;
+  const bool is_asked_for = std::any_of(output.times.begin(), output.times.end(),
+                                        [&](double t) { return t > record.time - record.dt && t <= record.time; });
+  if (record.step > 0 && !record.is_stop && !is_asked_for && record.step % output.every != 0) {
     left_out_ = {now, at};
     return;
   }

@@ -14,6 +14,7 @@
 
 #include "assembly/rigid_modes.hpp"
 #include "assembly/vectors.hpp"
+#include "solve/active_set.hpp"
 #include "solve/newton_group.hpp"
 
 namespace mortise {
@@ -203,13 +204,31 @@ class StepStatus : public NOX::StatusTest::Generic {
 Newton::Newton(StepProblem& problem, const SolverOptions& options)
     : problem_(problem), options_(options), linear_(problem.scene(), problem.dofs(), options) {}
 
+RCP<Vector> Newton::first_guess(const State& from, double t) {
+  const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
+  const FirstGuess kind = problem_.scene().time.first_guess;
+  if (kind == FirstGuess::old_state) return x;
+  const double dt = t - from.time;
+  if (kind == FirstGuess::motion) {
+    x->update(dt, *from.v, 0.5 * dt * dt, *from.a, 1.0);
+  } else {
+    RCP<Matrix> tangent;
+    const Evaluation at = problem_.linearise(*x, tangent);
+    Vector direction(x->getMap());
+    if (!at.admissible || !find_direction(problem_, *x, at, *tangent, linear_, direction).solved) return x;
+    x->update(1.0, direction, 1.0);
+  }
+  // A guess that turns an element inside out is none.
+  return problem_.evaluate(*x).admissible ? x : Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
+}
+
 StepResult Newton::solve(const State& from, double t) {
   StepResult result;
   result.cause = problem_.begin_step(from, t);
   result.is_deck_fault = !result.cause.empty();
   if (result.is_deck_fault) return result;
   auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
-  const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
+  const auto x = first_guess(from, t);
   const auto group = Teuchos::rcp(new NewtonGroup(shared, x));
   const auto status = Teuchos::rcp(new StepStatus(shared, options_, from, result));
 

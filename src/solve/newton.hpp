@@ -50,6 +50,8 @@ class Newton {
   double seconds_linear() const { return seconds_linear_; }
 
  private:
+  RCP<Vector> first_guess(const State& from, double t);
+
   StepProblem& problem_;
   SolverOptions options_;
   LinearSolver linear_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace mortise {
 namespace {
@@ -55,13 +56,28 @@ double StepSize::next_time(double t) const {
 
 bool StepSize::is_stop(double t) const { return std::find(stops_.begin(), stops_.end(), t) != stops_.end(); }
 
-void StepSize::accepted(int newton_iterations) {
-  if (newton_iterations <= options_.easy_iterations)
-    dt_ = std::min(options_.growth * dt_, options_.largest_step.value_or(options_.step));
+// The length that has about the tolerance as its error, which is of third order in it.
+double StepSize::fitting(double taken, double error) const {
+  return taken * std::clamp(0.9 * std::cbrt(*options_.error_tolerance / std::max(error, 1e-300)), 0.2, options_.growth);
 }
 
-bool StepSize::cut(double tried) {
-  dt_ = 0.5 * tried;
+void StepSize::accepted(double taken, int newton_iterations, double error) {
+  if (newton_iterations <= options_.easy_iterations)
+    dt_ = std::min(options_.growth * dt_, options_.largest_step.value_or(options_.step));
+  if (options_.error_tolerance) dt_ = std::min(dt_, fitting(taken, error));
+}
+
+std::optional<std::pair<double, std::string>> StepSize::repeat(double taken, double error, bool touches) const {
+  if (options_.touch_step && touches && taken > 1.001 * *options_.touch_step)
+    return std::make_pair(*options_.touch_step, std::string("nodes touch where none did"));
+  if (options_.error_tolerance && error > *options_.error_tolerance)
+    return std::make_pair(fitting(taken, error),
+                          fmt::format("the error of the step, {:.2e}, is above {:.2e}", error, *options_.error_tolerance));
+  return std::nullopt;
+}
+
+bool StepSize::shorten(double dt) {
+  dt_ = dt;
   return dt_ >= options_.smallest_step.value_or(options_.step / 1024);
 }
 
@@ -75,6 +91,7 @@ MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const T
         return {ExitCode::no_convergence, fmt::format("no acceleration at the start: {}", fault)};
     problem.begin_step(at.state, at.state.time);
     const Evaluation evaluation = problem.evaluate(*at.state.x);
+    at.n_closed = evaluation.n_closed;
     for (const auto& observe : party.observers) observe(at.state, at.state, evaluation, StepRecord{});
     party.keep(at);
   }
@@ -95,6 +112,23 @@ MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const T
       summary.cause = result.cause;
       break;
     }
+    const double error = result.converged ? problem.local_error(at.state, result.state) : 0;
+    if (result.converged)
+      if (const auto again = size.repeat(dt, error, result.evaluation.n_closed > 0 && at.n_closed == 0)) {
+        const bool go_on = size.shorten(again->first);
+        result.converged = false;
+        ++at.pending_cuts;
+        ++at.counts.cuts;
+        at.counts.wasted_iterations += result.iterations;
+        party.log(fmt::format("{}: repeated with dt = {:.4g}, {}\n", head, size.dt(), again->second));
+        if (!go_on) {
+          summary.code = ExitCode::no_convergence;
+          summary.cause = fmt::format("{}: the smallest step is reached; {}", head, again->second);
+          break;
+        }
+        at.dt = size.dt();
+        continue;
+      }
     if (!result.converged) {
       ++at.pending_cuts;
       ++at.counts.cuts;
@@ -127,8 +161,9 @@ MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const T
     const double to_go = elapsed * (options.end - t) / (t - first_time);
     party.progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
                                result.evaluation.n_closed, to_go));
-    size.accepted(result.iterations);
+    size.accepted(dt, result.iterations, error);
     at.state = result.state;
+    at.n_closed = result.evaluation.n_closed;
     at.dt = size.dt();
     at.pending_cuts = 0;
     party.keep(at);

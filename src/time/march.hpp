@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,7 @@ struct MarchState {
   double dt = 0;         ///< size of the next step
   int pending_cuts = 0;  ///< attempts rejected since the last accepted step
   MarchCounts counts;
+  int n_closed = 0;  ///< nodes in contact
 };
 
 /// How a march ended.
@@ -55,11 +57,18 @@ class StepSize {
   double next_time(double t) const;
   bool is_stop(double t) const;
 
-  void accepted(int newton_iterations);
+  /// @param error estimated, see `TimeOptions::error_tolerance`
+  void accepted(double taken, int newton_iterations, double error);
   /// Halves the step just tried. @return false if that would fall below the smallest step
-  bool cut(double tried);
+  bool cut(double tried) { return shorten(0.5 * tried); }
+  /// Whether a step that has been solved must be repeated with another length: its error is too great, or contact closed in it.
+  /// @param touches nodes are closed, and none were before  @return the length and why
+  std::optional<std::pair<double, std::string>> repeat(double taken, double error, bool touches) const;
+  /// The next step is at most so long. @return false if that is below the smallest step
+  bool shorten(double dt);
 
  private:
+  double fitting(double taken, double error) const;
   TimeOptions options_;
   std::vector<double> stops_;
   double dt_;

@@ -1,38 +1,10 @@
 // Time schemes on a free elastic bar that is thrown and spun: what each keeps, its order, and the ledger of all.
 #include <gtest/gtest.h>
 
-#include "support/marched_scene.hpp"
+#include "support/moving_bars.hpp"
 
 namespace mortise::test {
 namespace {
-
-/// A bar 1 x 0.3 x 0.2 in free flight.
-struct FreeBar {
-  std::string scheme = "midpoint", parameters;  ///< of list `time`
-  std::string step = "0.02", end = "0.4";
-  std::string model = "neo-hookean", body;
-  std::string tolerance = "1e-10";
-
-  operator std::string() const {
-    const std::string mesh = word("recipe", "block") + deck_parameter("size", "Array(double)", "{1, 0.3, 0.2}") +
-                             deck_parameter("elements", "Array(int)", "{4, 2, 1}");
-    const std::string material =
-        word("model", model) + number("youngs modulus", "1000") + number("poissons ratio", "0.3") + number("density", "1.2");
-    const std::string motion = deck_parameter("velocity", "Array(double)", "{1, 2, -0.5}") +
-                               deck_parameter("angular velocity", "Array(double)", "{3, 0.2, 8}");
-    return list("free bar", list("meshes", list("bar", mesh)) + list("materials", list("rubber", material)) +
-                                list("bodies", list("bar", word("mesh", "bar") + word("material", "rubber") + body)) +
-                                list("initial conditions", list("bar", motion)) +
-                                list("time", word("scheme", scheme) + parameters + number("step", step) + number("end", end)) +
-                                list("solver", number("tolerance", tolerance)));
-  }
-};
-
-double greatest_of(const std::vector<double>& values) {
-  double greatest = 0;
-  for (double v : values) greatest = std::max(greatest, std::abs(v));
-  return greatest;
-}
 
 /// Greatest |column| over the greatest length of a vector of columns.
 double relative_to(const MarchedScene& run, const std::string& column, const std::string& vector) {

@@ -2,42 +2,10 @@
 #include <gtest/gtest.h>
 
 #include "errors.hpp"
-#include "support/marched_scene.hpp"
+#include "support/moving_bars.hpp"
 
 namespace mortise::test {
 namespace {
-
-double greatest_of(const std::vector<double>& values) {
-  double greatest = 0;
-  for (double v : values) greatest = std::max(greatest, std::abs(v));
-  return greatest;
-}
-
-/// A bar of 20 elements along x that flies against whatever its left end meets.
-struct FlyingBar {
-  std::string scheme = "energy momentum", closing = "persistent", model = "linear elastic";
-  std::string obstacle = word("type", "plane") + deck_parameter("normal", "Array(double)", "{2, 0, 0}");
-  std::string end_of_wall;  ///< parameters
-  std::string step = "0.02", end = "1.6";
-
-  operator std::string() const {
-    const std::string mesh = word("recipe", "block") + deck_parameter("size", "Array(double)", "{10, 0.5, 0.5}") +
-                             deck_parameter("elements", "Array(int)", "{20, 1, 1}") +
-                             deck_parameter("origin", "Array(double)", "{5.05, 0, 0}");
-    std::string supports;
-    for (const char* side : {"front", "back", "bottom", "top"})
-      supports += list(side, word("type", "symmetry") + word("set", "bar/" + std::string(side)));
-    return list("bar",
-                list("meshes", list("bar", mesh)) +
-                    list("materials", list("elastic", word("model", model) + number("youngs modulus", "900") +
-                                                          number("poissons ratio", "0") + number("density", "1"))) +
-                    list("bodies", list("bar", word("mesh", "bar") + word("material", "elastic") + word("mass", "lumped"))) +
-                    list("initial conditions", list("bar", deck_parameter("velocity", "Array(double)", "{-10, 0, 0}"))) +
-                    list("supports", supports) +
-                    list("obstacles", list("wall", obstacle + word("set", "bar/left") + word("closing", closing) + end_of_wall)) +
-                    list("time", word("scheme", scheme) + number("step", step) + number("end", end)));
-  }
-};
 
 struct ClosingCase {
   std::string scheme, closing;
