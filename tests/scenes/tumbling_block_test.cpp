@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <nlohmann/json.hpp>
 
 #include "support/program.hpp"
 
@@ -121,6 +122,39 @@ TEST(TumblingBlockLedger, ClosesAtAnyNewtonTolerance) {
     EXPECT_LE(found.linear_balance, 1e-11);
     EXPECT_LE(found.angular_balance, 1e-11);
   }
+}
+
+/// Evaluations of a run, from its summary.
+struct Evaluations {
+  int steps, iterations, residuals, tangents, element_tangents;
+};
+
+/// The block held at its foot and pulled a little, while the loads act.
+Evaluations evaluations_of(const std::string& scheme) {
+  std::string deck = without_list(deck_of(neo_hookean, 10), "initial conditions");
+  deck = with(with(deck, "-6*", "-0.6*"), "\"6*", "\"0.6*");
+  const std::string foot = word("set", "block/bottom") + word("x", "0") + word("y", "0") + word("z", "0");
+  const ScratchFolder folder;
+  folder.write("deck.xml", with_lists(with(deck, "energy momentum", scheme), list("supports", list("foot", foot))));
+  const auto run = run_mortise(folder, "run deck.xml -o out --quiet");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto summary = nlohmann::json::parse(text_of(folder / "out" / "summary.json"));
+  const auto& counts = summary["counts"];
+  return {summary["steps"], summary["newton_iterations"], counts["residuals"], counts["tangents"], counts["element_tangents"]};
+}
+
+// What a step costs besides the mass: the same number of evaluations per Newton iteration, and per step.
+TEST(TumblingBlockCost, HasAsManyEvaluationsOfElementsAsAStaticStep) {
+  const Evaluations at_rest = evaluations_of("static");
+  for (const std::string scheme : {"midpoint", "energy momentum", "energy momentum midpoint contact"}) {
+    SCOPED_TRACE(scheme);
+    const Evaluations moving = evaluations_of(scheme);
+    ASSERT_EQ(moving.steps, at_rest.steps);
+    EXPECT_EQ(moving.residuals - 2 * moving.iterations, at_rest.residuals - 2 * at_rest.iterations);
+    EXPECT_EQ(moving.tangents, moving.iterations);
+    EXPECT_EQ(moving.element_tangents, 32 * moving.tangents);
+  }
+  EXPECT_EQ(at_rest.tangents, at_rest.iterations);
 }
 
 TEST(TumblingBlockOnRanks, KeepsTheSame) {
