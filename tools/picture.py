@@ -15,7 +15,8 @@ from vtkmodules.numpy_interface import dataset_adapter
 # Pixels: width of a picture, what it keeps clear at the sides, above for the time, below for the colour bar; size of the letters.
 WIDTH, MARGIN, HEAD, FOOT, FONT = 1600, 50, 60, 170, 26
 # Colours that those who see few colours tell apart too (Okabe and Ito), lightened.
-SIDE_COLOURS = [[0.95, 0.75, 0.35], [0.55, 0.80, 0.95], [0.45, 0.80, 0.65], [0.97, 0.93, 0.55], [0.90, 0.60, 0.45], [0.85, 0.68, 0.80]]
+SIDE_COLOURS = [[0.95, 0.75, 0.35], [0.55, 0.80, 0.95], [0.45, 0.80, 0.65], [0.97, 0.93, 0.55], [0.90, 0.60, 0.45], [0.85, 0.68, 0.80],
+                [0.50, 0.62, 0.90], [0.70, 0.70, 0.70]]
 
 
 def arguments():
@@ -223,8 +224,9 @@ def main():
         height = place_camera(view, points, eye)
         if inside:  # away from the eye, which a parallel projection does not show: so that the sides lie before it
             inside.Position = list(-0.01 * numpy.ptp(points) * numpy.array(eye) / numpy.linalg.norm(eye))
-        for k, label in enumerate(side_labels):  # below the mesh, in rows of three
-            label.Position = [0.2 + 0.25 * (k % 3), (FOOT - 80 * (1 + k // 3)) / height]
+        for k, label in enumerate(side_labels):  # below the mesh, in two rows
+            across, left, apart = (3, 0.2, 0.25) if len(side_labels) <= 6 else (4, 0.15, 0.215)
+            label.Position = [left + apart * (k % across), (FOOT - 80 * (1 + k // across)) / height]
         Render(view)
         SaveScreenshot(out, view, ImageResolution=[options.width, round(options.width * height / WIDTH)], TransparentBackground=0)
         print(f"picture: {os.path.abspath(out)}")

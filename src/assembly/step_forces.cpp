@@ -110,7 +110,10 @@ void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {
 // dq, v_n and a_n combined, at the rows of positions on the overlap.
 RCP<Vector> StepProblem::in_motion(const Combination& c, const Vector& overlap_x) const {
   const auto sum = Teuchos::rcp(new Vector(dofs_.overlap_map()));
-  if (dt_ > 0) sum->update(c.dq, overlap_x, -c.dq, *start_x_, 0.0);
+  if (dt_ > 0) {  // the increment first: it is free of the round-off that c.dq q has
+    sum->update(1.0, overlap_x, -1.0, *start_x_, 0.0);
+    sum->scale(c.dq);
+  }
   if (!start_v_.is_null() && c.v != 0) sum->update(c.v, *start_v_, 1.0);
   if (!start_a_.is_null() && c.a != 0) sum->update(c.a, *start_a_, 1.0);
   return sum;

@@ -54,7 +54,8 @@ void StepProblem::finish_step(const State& from, State& to) const {
   if (!scene_.scheme.has_inertia()) return;
   const auto combined = [&](const Combination& c) {
     const auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
-    sum->update(c.dq, *to.x, -c.dq, *from.x, 0.0);
+    sum->update(1.0, *to.x, -1.0, *from.x, 0.0);  // the increment first, as in the forces
+    sum->scale(c.dq);
     sum->update(c.v, *from.v, c.a, *from.a, 1.0);
     double* values = data(*sum);
     for (int k = dofs_.n_owned_positions(); k < dofs_.n_owned(); ++k) values[k] = 0;

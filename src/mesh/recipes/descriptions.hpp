@@ -152,6 +152,19 @@ void describe(Fields& f, Wedge& o) {
 }
 
 template <class Fields>
+void describe(Fields& f, LBlock& o) {
+  f.optional("size", o.size, positive, "length", "edge lengths in x, y, z of the box around it");
+  f.optional("thickness", o.thickness, positive, "length", "of the leg in x, of the foot in z");
+  f.optional("elements", o.elements, element_count, "-",
+             "number of elements in x through the leg and along the rest of the foot, in y, in z through the foot and along the "
+             "rest of the leg");
+  f.rule("D08", {"thickness", "size"}, o.thickness[0] < o.size[0] && o.thickness[1] < o.size[2],
+         "must be less than \"size\" in x and z");
+  const auto& n = o.elements;
+  limit_nodes(f, lattice_nodes(std::array<int, 3>{n[0] + n[1], n[2], n[3] + n[4]}));
+}
+
+template <class Fields>
 void describe(Fields& f, Hexahedron& o) {
   f.optional(
       "corners", o.corners, anything, "length",

@@ -117,6 +117,18 @@ struct Wedge {
   std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, per axis
 };
 
+/// A foot along x with a leg upon its left end, as one block.
+struct LBlock {
+  static constexpr const char* name = "l block";
+  static constexpr const char* help =
+      "an L in the x-z plane: a foot along x and, upon its left end, a leg along z; sides: left, front, back, bottom, right (the "
+      "end of the foot), top (the end of the leg), inner right (of the leg), inner top (of the foot)";
+  std::array<double, 3> size{2, 1, 2};    ///< of the box around it
+  std::array<double, 2> thickness{1, 1};  ///< of the leg in x, of the foot in z
+  std::array<int, 5> elements{
+      1, 1, 1, 1, 1};  ///< through the leg in x, along the rest of the foot, y, through the foot in z, along the rest of the leg
+};
+
 /// The block whose corners are given.
 struct Hexahedron {
   static constexpr const char* name = "hexahedron";
@@ -138,14 +150,15 @@ Mesh make(const HollowCylinder& o);
 Mesh make(const RingSector& o);
 Mesh make(const CurvedIndenter& o);
 Mesh make(const Wedge& o);
+Mesh make(const LBlock& o);
 Mesh make(const Hexahedron& o);
 
 }  // namespace recipes
 
 /// What a deck may ask for, in the order of the reference.
-using Recipe =
-    std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
-                 recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge, recipes::Hexahedron>;
+using Recipe = std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
+                            recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge,
+                            recipes::LBlock, recipes::Hexahedron>;
 
 /// The mesh of a recipe. @throws MeshError as the recipes' own
 inline Mesh make(const Recipe& recipe) {

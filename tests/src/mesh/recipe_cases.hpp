@@ -128,6 +128,16 @@ struct WedgeCase {
   }
 };
 
+struct LBlockCase {
+  using Kind = recipes::LBlock;
+  static Kind data(int times) { return {{4, 1, 5}, {1, 2}, {times, 2 * times, times, times, 2 * times}}; }
+  static double volume() { return 4 * 2 + 1 * 3; }
+  static std::map<std::string, double> areas() {
+    return {{"left", 5},   {"right", 2}, {"front", 11},      {"back", 11},
+            {"bottom", 4}, {"top", 1},   {"inner right", 3}, {"inner top", 3}};
+  }
+};
+
 /// Cook's membrane, graded along it.
 struct HexahedronCase {
   using Kind = recipes::Hexahedron;
@@ -143,8 +153,9 @@ struct HexahedronCase {
   }
 };
 
-using Recipes = testing::Types<BlockCase, GradedBlockCase, HollowSphereCase, TorusCase, CylinderCase, HollowCylinderCase,
-                               RingSectorCase, CylindricalIndenterCase, SphericalIndenterCase, WedgeCase, HexahedronCase>;
+using Recipes =
+    testing::Types<BlockCase, GradedBlockCase, HollowSphereCase, TorusCase, CylinderCase, HollowCylinderCase, RingSectorCase,
+                   CylindricalIndenterCase, SphericalIndenterCase, WedgeCase, LBlockCase, HexahedronCase>;
 
 // ---- measures ---------------------------------------------------------------------------------------------------------
 

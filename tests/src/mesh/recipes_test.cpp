@@ -216,6 +216,22 @@ TEST(Wedge, HasItsTopNodesOnTheInclinedPlane) {
   for (int a : mesh.node_sets.back().nodes) EXPECT_NEAR(at(mesh, a)[2], 2 - 0.25 * at(mesh, a)[0], 4e-16);
 }
 
+TEST(LBlock, HasThreeBoxesWithTheInnerCornerWhereTheyMeet) {
+  const Mesh mesh = make(recipes::LBlock{{4, 1, 5}, {1, 2}, {1, 2, 1, 1, 3}});
+  EXPECT_EQ(n_elements(mesh), 1 + 2 + 3);
+  EXPECT_EQ(n_nodes(mesh), 2 * (2 * 4 + 2 * 3));
+  EXPECT_EQ(std::count(mesh.coordinates.begin(), mesh.coordinates.end(), (Point{1, 0, 2})), 1);
+  for (const Point& X : mesh.coordinates) EXPECT_TRUE(X[0] <= 1 || X[2] <= 2) << X[0] << " " << X[2];
+}
+
+TEST(LBlock, RefusesALegOrAFootThatFillsTheBox) {
+  for (const std::array<double, 2> thickness : {std::array<double, 2>{4, 2}, {1, 5}})
+    expect_words(mesh_error_of([&] {
+                   make(recipes::LBlock{{4, 1, 5}, thickness, {1, 1, 1, 1, 1}});
+                 }),
+                 {"M41", "\"thickness\" = {", "must be less than \"size\" in x and z"});
+}
+
 constexpr std::array<double, 24> twisted{0,   0, 0, 2, 0.1, 0,   1.8, 1.5, 0.2, -0.1, 1,   0,
                                          0.3, 0, 1, 2, 0,   1.6, 2,   1.4, 1.1, 0.2,  1.2, 1.3};
 
