@@ -4,6 +4,7 @@ Usage: dynamics.py tumbling OUT.csv     inputs/tumbling_block: energy momentum f
        dynamics.py tolerances OUT.csv   the same scene by the tolerance of Newton's method
        dynamics.py cost OUT.csv         the same scene, gently tossed: time per step of each scheme, evaluations of statics and dynamics
        dynamics.py impact OUT.csv       inputs/bars_impact: schemes and step sizes
+       dynamics.py wall OUT.csv         inputs/bar_on_wall: schemes, ways of closing and step sizes
        dynamics.py table FILE.csv       any of these as Markdown
 """
 
@@ -214,6 +215,40 @@ def impact():
                    "linear_mismatch": f"{greatest(history['linear_momentum_mismatch']) / greatest_length(history, 'linear_momentum'):.1e}"}
 
 
+WAVE_STEP = 0.1 / 30  # of the bar on a wall: in which the wave crosses one element [s]
+TOUCH, LEAVE, PRESSURE, AREA, SPEED = 0.5, 0.5 + 2 * 10 / 30, 300.0, 0.01, 10.0
+WALL_CASES = (("newmark", "position", {"allow unstable": ("bool", "true")}), ("trapezoidal", "position", {}),
+              ("backward euler", "position", {}), ("generalised alpha", "position", {"spectral radius": ("double", "0.8")}),
+              ("generalised alpha", "persistent", {"spectral radius": ("double", "0.8")}),
+              ("hht", "position", {"alpha": ("double", "0.1")}), ("midpoint", "position", {}),
+              ("energy momentum", "position", {}), ("energy momentum", "modified", {}), ("energy momentum", "persistent", {}))
+
+
+def rms(values):
+    return f"{math.sqrt(statistics.mean((v - 1) ** 2 for v in values)):.3f}"
+
+
+def wall():
+    for scheme, closing, parameters in WALL_CASES:
+        for courant in (0.5, 1.0, 2.0):
+            deck, dt = Deck("bar_on_wall/persistent"), courant * WAVE_STEP
+            deck.put("time", "scheme", "string", scheme)
+            for name, (kind, value) in parameters.items():
+                deck.put("time", name, kind, value)
+            deck.put("obstacles/wall", "closing", "string", closing)
+            deck.set_steps(dt, round(1.6 / dt))
+            code, history, _ = deck.run()
+            inside = [k for k, t in enumerate(history["time"]) if TOUCH + 2 * dt < t < LEAVE - 2 * dt]
+            pressure = [history["contact_force_x.wall"][k] / AREA / PRESSURE for k in inside]
+            yield {"scheme": scheme, "closing": closing, "CFL": f"{courant:g}",
+                   "greatest_pressure": f"{max(history['contact_force_x.wall']) / AREA / PRESSURE:.2f}", "rms_error": rms(pressure),
+                   "rms_error_of_two_step_means": rms([0.5 * (a + b) for a, b in zip(pressure, pressure[1:])]),
+                   "openings": f"{sum(history['active'][k] == 0 for k in inside)} of {len(inside)}",
+                   "energy_kept": f"{history['total_energy'][-1] / history['total_energy'][0]:.4f}",
+                   "penetration_over_v_dt": f"{max(0.0, -min(history['gap.tip'])) / (SPEED * dt):.2f}",
+                   "ended": "as asked" if code == 0 else "no step converged"}
+
+
 def write(study, file):
     with open(file, "w", encoding="utf-8", newline="") as stream:
         table = None
@@ -234,7 +269,7 @@ def print_table(file):
 
 
 if __name__ == "__main__":
-    studies = {"tumbling": tumbling, "tolerances": tolerances, "cost": cost, "impact": impact}
+    studies = {"tumbling": tumbling, "tolerances": tolerances, "cost": cost, "impact": impact, "wall": wall}
     if len(sys.argv) != 3 or sys.argv[1] not in (*studies, "table"):
         sys.exit(__doc__)
     if sys.argv[1] == "table":
