@@ -28,13 +28,15 @@ inline bool is_sha256(const std::string& text) {
 template <class Fields>
 void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
   f.kind("recipe", o.recipe, recipe,
-         "a shape that is meshed with hexahedra; it makes one element block, named after the recipe (a graded block too is a "
+         "a shape that is meshed, with hexahedra but for points and line; it makes one element block, named after the recipe (a "
+         "graded block too is a "
          "block)");
   Choices<ElementType> types;
   for (ElementType type : element_types) types.emplace_back(topology(type).name, type);
   f.choice("element type", o.element_type, types, Presence::optional,
            "of a recipe's elements: each hexahedron as one hex8, hex20 or hex27, two wedge6, or six tet4 or tet10; nodes between "
            "corners are in the middle of straight edges");
+  f.only_with({"element type"}, "recipe", !o.recipe || makes_solids(*o.recipe), "a \"recipe\" of hexahedra");
   f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
   f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
   f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,
