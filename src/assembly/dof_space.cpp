@@ -12,6 +12,8 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
   for (int e = 0; e < n_elements(mesh); ++e)
     if (partition.element_rank[e] == rank)
       for (int n : element_nodes(mesh, e)) needed[n] = 1;
+  for (const auto& spring : scene.node_springs)
+    if (spring.to && mine[spring.from]) needed[*spring.to] = 1;
   for (const auto& pair : scene.pairs) {
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
       const int node = pair.secondary_nodes[k], multiplier = n_nodes_ + pair.first_multiplier + static_cast<int>(k);

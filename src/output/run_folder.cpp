@@ -50,8 +50,8 @@ std::string in_words(const Activity& activity) {
 std::string forces_and_motions(const Scene& scene) {
   const bool is_damped =
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.rayleigh.exists(); });
-  std::string text =
-      fmt::format("  prescribed motion: {}\n  springs: {}\n", on_off(!scene.prescribed.empty()), on_off(!scene.springs.empty()));
+  std::string text = fmt::format("  prescribed motion: {}\n  springs: {}\n", on_off(!scene.prescribed.empty()),
+                                 on_off(!scene.springs.empty() || !scene.node_springs.empty()));
   for (const auto& kind : names_of_kinds<LoadKind>())
     text += fmt::format(
         "  {}: {}\n", kind,
@@ -62,6 +62,11 @@ std::string forces_and_motions(const Scene& scene) {
   for (const auto& spring : scene.springs)
     text += fmt::format("  springs \"{}\": {}{}\n", spring.name, spring.sides.empty() ? "nodes" : "bedding",
                         in_words(spring.activity));
+  for (const auto& spring : scene.node_springs)
+    text += fmt::format("  spring \"{}\": between, {}{}\n", spring.name, word_for(stretch_law_names, spring.law),
+                        in_words(spring.activity));
+  for (const auto& masses : scene.masses)
+    text += fmt::format("  masses \"{}\": {} on each of {} nodes\n", masses.name, masses.mass, masses.nodes.size());
   for (const auto& load : scene.loads)
     text += fmt::format("  load \"{}\": {}{}\n", load.name, load.kind, in_words(load.activity));
   for (const auto& body : scene.bodies)
