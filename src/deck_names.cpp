@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "errors.hpp"
 
@@ -24,6 +25,14 @@ void DeckNames::error(const std::string& code, const DeckPath& path, const std::
 std::string DeckNames::known_sets(const std::string& name) const {
   const auto names = set_names(mesh_);
   return fmt::format("no such set{}; the meshes have: {}", did_you_mean(name, names), join(names));
+}
+
+std::vector<int> DeckNames::nodes_of_set_or_mesh(const std::string& name, const DeckPath& path) const {
+  const MeshPart* part = find_part(mesh_, name);
+  if (!part) return nodes_of(name, path);
+  std::vector<int> nodes(static_cast<std::size_t>(part->n_nodes));
+  std::iota(nodes.begin(), nodes.end(), part->first_node);
+  return nodes;
 }
 
 std::vector<int> DeckNames::nodes_of(const std::string& set, const DeckPath& path) const {

@@ -29,6 +29,9 @@ class DeckNames {
   /// Nodes of a node set, or of the sides of a side set, ascending; none if there is no such set.
   std::vector<int> nodes_of(const std::string& set, const DeckPath& path) const;
 
+  /// The same, or all nodes of the mesh of that name.
+  std::vector<int> nodes_of_set_or_mesh(const std::string& name, const DeckPath& path) const;
+
   /// A side set; null if there is none.
   const SideSet* sides_of(const std::string& set, const DeckPath& path) const;
 

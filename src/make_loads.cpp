@@ -101,6 +101,54 @@ void hold_plane_bodies(const DeckNames& names, Scene& scene) {
   }
 }
 
+class SpringMaker {
+ public:
+  SpringMaker(const DeckNames& names, Scene& scene, const std::string& name, const Activity& activity)
+      : names_(names), scene_(scene), name_(name), activity_(activity) {}
+
+  void operator()(const springs::Nodes& o) const { scene_.springs.push_back(to_the_ground(o)); }
+  void operator()(const springs::Bedding& o) const {
+    Spring spring = to_the_ground(o);
+    if (!spring.nodes.empty())
+      if (const SideSet* sides = names_.sides_of(o.set, path("set"))) spring.sides = sides->sides;
+    scene_.springs.push_back(std::move(spring));
+  }
+  void operator()(const springs::Between& o) const {
+    NodeSpring spring{name_, activity_, one_node(o.from, "from"), {}, o.anchor.value_or(Point{}), 0, o.stiffness, o.law};
+    if (o.to) spring.to = one_node(*o.to, "to");
+    if (spring.from < 0 || spring.to == -1) return;
+    const Mesh& mesh = scene_.mesh.mesh;
+    const Point &X = mesh.coordinates[spring.from], &Y = spring.far_end(mesh);
+    const double distance = std::hypot(Y[0] - X[0], Y[1] - X[1], Y[2] - X[2]);
+    if (distance == 0)
+      names_.error("D19", {"springs", name_}, "its ends are in one place: a spring without length has no direction");
+    spring.rest_length = o.rest_length.value_or(distance);
+    scene_.node_springs.push_back(spring);
+  }
+
+ private:
+  DeckPath path(const std::string& parameter) const { return {"springs", name_, parameter}; }
+
+  Spring to_the_ground(const springs::Stiffness& o) const {
+    Spring spring{name_, activity_, {}, names_.nodes_of(o.set, path("set")), {}};
+    for (int i = 0; i < 3; ++i) spring.stiffness[i] = o.stiffness[i].value_or(0);
+    return spring;
+  }
+
+  /// The node of a set that holds one; an error, and -1, otherwise.
+  int one_node(const std::string& set, const std::string& parameter) const {
+    const auto nodes = names_.nodes_of(set, path(parameter));
+    if (nodes.size() == 1) return nodes[0];
+    if (!nodes.empty()) names_.error("D19", path(parameter), fmt::format("has {} nodes - must have one", nodes.size()));
+    return -1;
+  }
+
+  const DeckNames& names_;
+  Scene& scene_;
+  const std::string name_;
+  const Activity activity_;
+};
+
 class LoadMaker {
  public:
   LoadMaker(const DeckNames& names, const Scene& scene, const std::string& name)
@@ -113,9 +161,11 @@ class LoadMaker {
     return forces::SidePressure{sides(o.set), names_.formula(*o.pressure, {entry_[0], entry_[1], "pressure"})};
   }
   What operator()(const loads::BodyForce& o) const {
-    forces::Acceleration force{{}, names_.formulas(o.acceleration, entry_)};
+    forces::Acceleration force{{}, {}, names_.formulas(o.acceleration, entry_)};
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
       if (!o.body || scene_.bodies[b].name == *o.body) force.bodies.push_back(static_cast<int>(b));
+    for (std::size_t m = 0; m < scene_.masses.size(); ++m)
+      if (!o.body || scene_.masses[m].name == *o.body) force.masses.push_back(static_cast<int>(m));
     return force;
   }
   What operator()(const loads::PointForce& o) const {
@@ -161,15 +211,7 @@ void make_supports(const DeckNames& names, Scene& scene) {
 }
 
 void make_springs(const DeckNames& names, Scene& scene) {
-  for (const auto& [name, o] : names.deck().options().springs) {
-    const DeckPath path{"springs", name, "set"};
-    Spring spring{name, o.activity, {}, names.nodes_of(o.set, path), {}};
-    const auto& stiffness = std::visit([](const springs::Stiffness& kind) { return kind.stiffness; }, *o.kind);
-    for (int i = 0; i < 3; ++i) spring.stiffness[i] = stiffness[i].value_or(0);
-    if (std::holds_alternative<springs::Bedding>(*o.kind) && !spring.nodes.empty())
-      if (const SideSet* sides = names.sides_of(o.set, path)) spring.sides = sides->sides;
-    scene.springs.push_back(std::move(spring));
-  }
+  for (const auto& [name, o] : names.deck().options().springs) std::visit(SpringMaker(names, scene, name, o.activity), *o.kind);
 }
 
 void make_loads(const DeckNames& names, Scene& scene) {
@@ -190,6 +232,7 @@ void add_stops(Scene& scene) {
   };
   add_all(scene.supports);
   add_all(scene.springs);
+  add_all(scene.node_springs);
   add_all(scene.loads);
   add_all(scene.pairs);
   add_all(scene.obstacles);

@@ -10,7 +10,7 @@ namespace mortise {
 /// strain.
 void make_supports(const DeckNames& names, Scene& scene);
 
-/// Fills `springs`.
+/// Fills `springs` and `node_springs`.
 void make_springs(const DeckNames& names, Scene& scene);
 
 /// Fills `loads` of a scene whose bodies stand.

@@ -63,6 +63,7 @@ class SceneMaker {
     scene_.expected = options_.expected;
     warn_of_odd_materials();
     make_bodies();
+    make_masses();
     stop_at_errors();  // what follows needs bodies
     make_supports(names_, scene_);
     make_springs(names_, scene_);
@@ -73,6 +74,7 @@ class SceneMaker {
     add_stops(scene_);
     check_motions(names_, scene_);
     make_probes();
+    check_points();
     stop_at_errors();
     return std::move(scene_);
   }
@@ -116,7 +118,10 @@ class SceneMaker {
       const MeshPart& part = *find_part(scene_.mesh, o.mesh);
       std::vector<int> blocks;
       if (o.blocks.empty())
-        for (int b = 0; b < part.n_blocks; ++b) blocks.push_back(part.first_block + b);
+        for (int b = part.first_block; b < part.first_block + part.n_blocks; ++b)
+          if (is_solid(mesh.blocks[b].elements.type())) blocks.push_back(b);
+      if (o.blocks.empty() && blocks.empty())
+        error("D19", {"bodies", name, "mesh"}, "has no solid elements, which bodies are made of");
       for (const auto& block : o.blocks) {
         if (const auto found = find_block(scene_.mesh, part, block)) {
           blocks.push_back(*found);
@@ -143,7 +148,14 @@ class SceneMaker {
                 o.mass,
                 o.rayleigh,
                 initial_motion(name)};
+      bool is_made_of_solids = !blocks.empty();
       for (int b : blocks) {
+        if (!is_solid(mesh.blocks[b].elements.type())) {
+          is_made_of_solids = false;
+          error("D19", {"bodies", name, "blocks"},
+                fmt::format("block \"{}\" has {} elements - bodies are made of solid ones", mesh.blocks[b].name,
+                            topology(mesh.blocks[b].elements.type()).name));
+        }
         if (!owner[b].empty())
           error("D19", {"bodies", name},
                 fmt::format("block \"{}\" belongs to body \"{}\" already - a block has one material", mesh.blocks[b].name,
@@ -151,6 +163,7 @@ class SceneMaker {
         owner[b] = name;
         for (int e = first_of_block[b]; e < first_of_block[b + 1]; ++e) body.elements.push_back(e);
       }
+      if (!is_made_of_solids) continue;
       std::sort(body.elements.begin(), body.elements.end());
       double volume = 0;
       for (int e : body.elements) {
@@ -167,7 +180,7 @@ class SceneMaker {
       scene_.bodies.push_back(std::move(body));
     }
     for (std::size_t b = 0; b < owner.size(); ++b)
-      if (owner[b].empty())
+      if (owner[b].empty() && is_solid(mesh.blocks[b].elements.type()))
         error("D19", {"bodies"},
               fmt::format("block \"{}\" belongs to no body - every block needs a material", mesh.blocks[b].name));
     if (errors_.empty()) number_pressures();
@@ -239,6 +252,40 @@ class SceneMaker {
                         topology(type).name, describe_element(scene_.mesh, e)));
       return;
     }
+  }
+
+  void make_masses() {
+    for (const auto& [name, o] : options_.masses)
+      scene_.masses.push_back({name, names_.nodes_of_set_or_mesh(o.set, {"masses", name, "set"}), o.mass, initial_motion(name)});
+  }
+
+  /// A node without an equation of its own makes the matrix singular: what bodies do not hold needs inertia, or what holds it.
+  void check_points() {
+    const bool has_inertia = scene_.scheme.has_inertia();
+    std::vector<std::array<char, 3>> held(scene_.mesh.mesh.coordinates.size(), {0, 0, 0});
+    const auto hold = [&](int node) { held[node] = {1, 1, 1}; };
+    for (const Body& body : scene_.bodies) std::for_each(body.nodes.begin(), body.nodes.end(), hold);
+    if (has_inertia) {
+      for (const auto& masses : scene_.masses) std::for_each(masses.nodes.begin(), masses.nodes.end(), hold);
+    } else {
+      for (const Spring& spring : scene_.springs)
+        for (int node : spring.nodes)
+          for (int i = 0; i < 3; ++i) held[node][i] |= spring.stiffness[i] > 0;
+      for (const NodeSpring& spring : scene_.node_springs) {
+        hold(spring.from);
+        if (spring.to) hold(*spring.to);
+      }
+    }
+    for (const PrescribedDof& p : scene_.prescribed)
+      if (scene_.supports[p.support].activity.always()) held[p.node][p.axis] = 1;
+    for (const MeshPart& part : scene_.mesh.parts)
+      for (int node = part.first_node; node < part.first_node + part.n_nodes; ++node) {
+        if (held[node] == std::array<char, 3>{1, 1, 1}) continue;
+        error("D22", {"meshes", part.name},
+              fmt::format("{} can move, and has no {} - give it {}, or supports in x, y and z", describe_node(scene_.mesh, node),
+                          has_inertia ? "inertia" : "stiffness", has_inertia ? "a mass" : "springs"));
+        break;
+      }
   }
 
   void number_pressures() {
@@ -361,16 +408,22 @@ class SceneMaker {
   }
 
   void set_scales() {
-    double modulus = 0, size = 1e300, extent = 0;
-    for (const Body& body : scene_.bodies) {
-      modulus = std::max(modulus, stiffest_modulus(body));
-      size = std::min(size, body.size);
-    }
+    double extent = 0, size = 0;
     for (const Point& X : scene_.mesh.mesh.coordinates)
       for (double x : X) extent = std::max(extent, std::abs(x));
+    const auto meet = [&](double h) { size = size > 0 ? std::min(size, h) : h; };
+    for (const Body& body : scene_.bodies) meet(body.size);
+    for (const NodeSpring& spring : scene_.node_springs) meet(spring.rest_length);
+    if (!(size > 0)) size = extent > 0 ? extent : 1;  // masses alone
+    double stiffness = 0;
+    for (const Body& body : scene_.bodies) stiffness = std::max(stiffness, stiffest_modulus(body) * size);
+    for (const NodeSpring& spring : scene_.node_springs) stiffness = std::max(stiffness, spring.stiffness);
+    if (scene_.bodies.empty())
+      for (const Spring& spring : scene_.springs)
+        stiffness = std::max(stiffness, *std::max_element(spring.stiffness.begin(), spring.stiffness.end()));
     scene_.size = size;
     scene_.extent = extent;
-    scene_.force_floor = 1e-14 * modulus * size * (size + extent);
+    scene_.force_floor = 1e-14 * stiffness * (size + extent);
   }
 
   const Deck& deck_;

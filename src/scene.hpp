@@ -33,6 +33,14 @@ struct Body {
   std::optional<InitialOptions> initial;  ///< none: at rest, in its reference position
 };
 
+/// The same mass on each of some nodes.
+struct PointMasses {
+  std::string name;
+  std::vector<int> nodes;  ///< ascending
+  double mass;             ///< of each [kg]
+  std::optional<InitialOptions> initial;
+};
+
 /// Nodes that something keeps where they may be: each has a pressure.
 struct ContactNodes {
   std::string name;
@@ -72,9 +80,11 @@ struct Scene {
   std::string title;
   CombinedMesh mesh;
   std::vector<Body> bodies;
+  std::vector<PointMasses> masses;
   std::vector<Support> supports;
   std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis, support, whether or not the support acts
   std::vector<Spring> springs;
+  std::vector<NodeSpring> node_springs;
   std::vector<Load> loads;
   std::vector<ContactPair> pairs;
   std::vector<Obstacle> obstacles;
@@ -89,8 +99,9 @@ struct Scene {
   OutputOptions output;
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
-  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater
-  double size;         ///< smallest body element size [m]
+  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater,
+                       ///< E h the stiffness of a spring
+  double size;         ///< smallest size of an element of a body, or length of a spring [m]
   double extent;       ///< greatest reference coordinate [m]
 
   /// Pairs, then obstacles: all that has multipliers, in their order.

@@ -11,6 +11,7 @@
 #include "deck/activity.hpp"
 #include "deck/formula.hpp"
 #include "mesh/mesh.hpp"
+#include "physics/stretch_laws.hpp"
 #include "physics/tensor.hpp"
 
 namespace mortise {
@@ -81,6 +82,21 @@ struct Spring {
   std::vector<Side> sides;          ///< of a bedding; empty: springs at nodes
 };
 
+/// A spring from a node to another one or to a fixed point: energy c L^2 w(nu^2), nu = |q_to - q_from| / L.
+struct NodeSpring {
+  std::string name;
+  Activity activity;
+  int from = 0;
+  std::optional<int> to;  ///< none: `anchor`
+  Point anchor{};
+  double rest_length = 0;  ///< L [m]
+  double stiffness = 0;    ///< c [N/m]
+  StretchLaw law = StretchLaw::saint_venant;
+
+  /// The other end where nothing has moved.
+  const Point& far_end(const Mesh& mesh) const { return to ? mesh.coordinates[*to] : anchor; }
+};
+
 namespace forces {
 
 /// Traction [Pa] of fixed direction over the reference area or the current one.
@@ -94,9 +110,9 @@ struct SidePressure {
   std::vector<Side> sides;
   PlacedFormula pressure;
 };
-/// Force per mass [m/s^2] on bodies, by their indices.
+/// Force per mass [m/s^2] on bodies and point masses, by their indices.
 struct Acceleration {
-  std::vector<int> bodies;
+  std::vector<int> bodies, masses;
   PlacedVector acceleration;
 };
 /// Force [N] at each node.

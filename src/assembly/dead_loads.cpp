@@ -41,6 +41,7 @@ void DeadLoads::add(const Part& part, const forces::SideTraction& load, double t
 }
 
 void DeadLoads::add(const Part&, const forces::Acceleration& load, double t, double* f, std::string& fault) const {
+  for (int m : load.masses) add_weight(scene_.masses[m], load.acceleration, t, f, fault);
   const Mesh& mesh = scene_.mesh.mesh;
   for (int b : load.bodies)
     for (int e : scene_.bodies[b].elements) {
@@ -65,6 +66,15 @@ void DeadLoads::add(const Part&, const forces::Acceleration& load, double t, dou
         scatter(local, force, f);
       });
     }
+}
+
+void DeadLoads::add_weight(const PointMasses& masses, const PlacedVector& acceleration, double t, double* f,
+                           std::string& fault) const {
+  for (int node : masses.nodes) {
+    if (!dofs_.owned(node)) continue;
+    const Vec3<double> a = evaluate(acceleration, t, scene_.mesh.mesh.coordinates[node], fault);
+    for (int i = 0; i < 3; ++i) f[dofs_.local(node) + i] += masses.mass * a[i];
+  }
 }
 
 void DeadLoads::add(const Part& part, const forces::NodalForce& load, double t, double* f, std::string& fault) const {

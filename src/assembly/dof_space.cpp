@@ -15,6 +15,8 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
   for (const ContactNodes* contact : scene.contacts())
     for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
       mine[n_nodes_ + contact->first_multiplier + k] = mine[contact->secondary_nodes[k]];
+  for (const auto& spring : scene.node_springs)
+    if (spring.to && mine[spring.from]) needed[*spring.to] = 1;
   for (const auto& pair : scene.pairs) {
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       needed[pair.secondary_nodes[k]] = needed[n_nodes_ + pair.first_multiplier + k] = 1;

@@ -12,8 +12,8 @@ namespace mortise {
 /// A point is what carries unknowns: node n is point n (3 unknowns), multiplier k is point n_nodes + k (1 unknown), and after the
 /// multipliers come the pressures of mixed elements (1 unknown each).
 /// Global numbers: 3 n + i for positions, 3 n_nodes + k for multipliers and pressures. A rank's *overlap* holds its own points
-/// first, then copies of all points its elements touch and of all contact-surface points (first version of ghosting: their
-/// positions are on every rank).
+/// first, then copies of all points its elements touch, of the far ends of springs that begin at its own nodes, and of all
+/// contact-surface points (first version of ghosting: their positions are on every rank).
 class DofSpace {
  public:
   DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm);

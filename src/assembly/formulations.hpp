@@ -13,6 +13,7 @@ namespace mortise {
 /// Calls f(formulation) with a value of the type for `kind` on elements of `type`. @return false if there is no such formulation
 template <class Function>
 bool with_formulation(FormulationKind kind, ElementType type, Function f) {
+  if (!is_solid(type)) return false;
   switch (kind) {
     case FormulationKind::standard:
       with_element(type, [&](auto element) { f(Standard<decltype(element)>{}); });

@@ -4,8 +4,12 @@
 
 namespace mortise {
 
-InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const DofSpace& dofs) : body_(body_term.body()) {
+InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const DofSpace& dofs)
+    : nodes_(&body_term.body().nodes),
+      initial_(&body_term.body().initial),
+      mass_of_element_(*body_term.body().density * scene.size * scene.size * scene.size) {
   const Mesh& mesh = scene.mesh.mesh;
+  const Body& body = body_term.body();
   const auto add_block = [&](const auto& block) {
     using Shape = typename std::decay_t<decltype(block)>::Element;
     for (std::size_t e = 0; e < block.size(); ++e) {
@@ -17,12 +21,18 @@ InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const Do
         element.local.push_back(dofs.local(node));
         X[a] = mesh.coordinates[node];
       }
-      const auto M = mass_over_density<Shape>(body_.mass_kind, X);
-      for (double entry : M) element.M.push_back(*body_.density * entry);
+      const auto M = mass_over_density<Shape>(body.mass_kind, X);
+      for (double entry : M) element.M.push_back(*body.density * entry);
       elements_.push_back(std::move(element));
     }
   };
   for (const auto& block : body_term.blocks()) std::visit(add_block, block);
+}
+
+InertiaTerm::InertiaTerm(const PointMasses& masses, const DofSpace& dofs)
+    : nodes_(&masses.nodes), initial_(&masses.initial), mass_of_element_(masses.mass) {
+  for (int node : masses.nodes)
+    if (dofs.owned(node)) elements_.push_back({{node}, {dofs.local(node)}, {masses.mass}});
 }
 
 void InertiaTerm::append_cells(std::vector<Cell>& cells) {

@@ -1,4 +1,4 @@
-// The inertia of one body as a term of the scene: constant mass matrices, one per element.
+// The inertia of one body, or of point masses, as a term of the scene: constant mass matrices, one per element.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,12 @@
 namespace mortise {
 
 /// Inertial force  f = M a  of the elements of one body that this rank owns,  M_ab = rho int N_a N_b dV  times the identity of
-/// space (thesis eq. 4.13). The time scheme hands over a and da/dq.
+/// space (thesis eq. 4.13), or of its nodes with a mass. The time scheme hands over a and da/dq.
 class InertiaTerm {
  public:
   /// Precondition: the body has a density (the deck reader sees to it).
   InertiaTerm(const Scene& scene, const BodyTerm& body, const DofSpace& dofs);
+  InertiaTerm(const PointMasses& masses, const DofSpace& dofs);
 
   void append_cells(std::vector<Cell>& cells);
 
@@ -28,14 +29,18 @@ class InertiaTerm {
   /// Mass of this rank's elements [kg], and sum of mass times position [kg m]. @param x on the overlap
   std::array<double, 4> mass_and_moment(const double* x) const;
 
-  const Body& body() const { return body_; }
+  const std::vector<int>& nodes() const { return *nodes_; }  ///< of all ranks, ascending
+  const std::optional<InitialOptions>& initial() const { return *initial_; }
+  double mass_of_element() const { return mass_of_element_; }  ///< of the scene's size, or of a point [kg]: for scales
 
  private:
   struct Element {
     std::vector<int> nodes, local;
     std::vector<double> M;  // over nodes, row-major [kg]
   };
-  const Body& body_;
+  const std::vector<int>* nodes_;
+  const std::optional<InitialOptions>* initial_;
+  double mass_of_element_;
   std::vector<Element> elements_;
   std::size_t first_cell_ = 0;
 };

@@ -68,6 +68,7 @@ void reduce(std::vector<std::vector<double>>& basis) {
 
 std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& closed, const std::vector<Vec3<double>>& normals,
                                   double from) {
+  if (scene.bodies.empty()) return {};
   const int n = 6 * static_cast<int>(scene.bodies.size());
   std::vector<Frame> frames;
   for (const auto& body : scene.bodies) frames.push_back(frame_of(scene, body));
@@ -95,6 +96,15 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
     for (int node : spring.nodes)
       for (int axis = 0; axis < 3; ++axis)
         if (spring.stiffness[axis] > 0 && spring.activity.acts_after(from)) hold(node, axis);
+  for (const auto& spring : scene.node_springs) {
+    if (!spring.activity.acts_after(from)) continue;
+    const Point& far = spring.far_end(scene.mesh.mesh);
+    Vec3<double> d{far[0] - X[spring.from][0], far[1] - X[spring.from][1], far[2] - X[spring.from][2]};
+    d = (1 / norm(d)) * d;
+    add_motion(body_of(scene, spring.from), X[spring.from], d, 1);
+    if (spring.to) add_motion(body_of(scene, *spring.to), far, d, -1);
+    add_row();
+  }
   for (const auto& body : scene.bodies)
     for (int node : body.nodes)
       for (int axis = 0; axis < 3 && body.rayleigh.mass > 0; ++axis) hold(node, axis);

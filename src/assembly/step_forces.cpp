@@ -51,6 +51,8 @@ RCP<Vector> StepProblem::dead(double t, std::string& fault) const {
 void StepProblem::find_forces_before(double t_before, std::string& fault) {
   Vector internal(dofs_.overlap_map());
   for (const auto& body : bodies_) body->add_force(data(*start_x_), data(internal));
+  for (const auto& term : stretches_)
+    if (term.acts_at(time_)) term.add_force(nullptr, data(*start_x_), data(internal));
   add_springs(*start_x_, internal);
   internal_before_ = owned_sum(internal);
   const auto external = dead(t_before, fault);

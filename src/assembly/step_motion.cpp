@@ -30,6 +30,15 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
                 is_good;
     }
   }
+  const bool is_step = scheme_.forces == ForceReading::algorithmic;
+  const double* x_n = is_step ? data(static_cast<const Vector&>(*start_x_)) : nullptr;
+  const double* x = data(is_step ? overlap_x : at_theta);
+  for (const auto& term : stretches_) {
+    if (!term.acts_at(time_)) continue;
+    is_good = (with_tangent ? term.add_tangent(x_n, x, is_step ? 1 : scheme_.theta, data(internal), *matrix_)
+                            : term.add_force(x_n, x, data(internal))) &&
+              is_good;
+  }
   return is_good;
 }
 
@@ -91,18 +100,18 @@ std::pair<double, Vec3<double>> StepProblem::mass_and_centre(const InertiaTerm& 
   return {sum[0], {sum[1] / sum[0], sum[2] / sum[0], sum[3] / sum[0]}};
 }
 
-// Nodes that two bodies share move as the later one of the deck says.
+// Nodes that two bodies share move as the later one of the deck says, those of masses as these.
 void StepProblem::start_motion(State& state) const {
   if (!scene_.scheme.has_inertia()) return;
   state.v = Teuchos::rcp(new Vector(dofs_.owned_map()));
   state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
   double *x = data(*state.x), *v = data(*state.v);
   for (const auto& term : inertias_) {
-    if (!term.body().initial) continue;
-    const InitialOptions& start = *term.body().initial;
+    if (!term.initial()) continue;
+    const InitialOptions& start = *term.initial();
     const Vec3<double> centre = start.centre ? vector_of(*start.centre) : mass_and_centre(term, *reference_state()).second;
     const Vec3<double> velocity = vector_of(start.velocity), spin = vector_of(start.angular_velocity);
-    for (int node : term.body().nodes) {
+    for (int node : term.nodes()) {
       if (!dofs_.owned(node)) continue;
       const Point& X = scene_.mesh.mesh.coordinates[node];
       Vec3<double> arm = Vec3<double>{X[0], X[1], X[2]} - centre;
@@ -135,9 +144,9 @@ RCP<Matrix> StepProblem::mass_matrix() {
 
 // [N]. Beside stress of the round-off of positions, that of the inertia they make in a short step.
 double StepProblem::round_off_of_forces() const {
-  double density = 0;
-  for (const auto& term : inertias_) density = std::max(density, *term.body().density);
-  const double h = scene_.size, inertia = density * h * h * h * std::abs(kinematics_.inertia.dq);
+  double mass = 0;
+  for (const auto& term : inertias_) mass = std::max(mass, term.mass_of_element());
+  const double h = scene_.size, inertia = mass * std::abs(kinematics_.inertia.dq);
   return scene_.force_floor + 1e-14 * inertia * (h + scene_.extent);
 }
 

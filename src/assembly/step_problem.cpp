@@ -35,10 +35,13 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& load : scene.loads)
     if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);
   for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
+  for (const auto& spring : scene.node_springs) stretches_.emplace_back(spring, dofs_);
   for (const auto& body : bodies_)
     if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
-  if (scene.scheme.has_inertia())
+  if (scene.scheme.has_inertia()) {
     for (const auto& body : bodies_) inertias_.emplace_back(scene, *body, dofs_);
+    for (const auto& masses : scene.masses) inertias_.emplace_back(masses, dofs_);
+  }
   for (int point : dofs_.overlap_points())
     if (dofs_.size(point) == 1) overlap_pressures_.push_back(dofs_.local(point));
   scheme_ = scene.scheme.at_rest();
@@ -90,6 +93,8 @@ double StepProblem::strain_energy(const double* x) const {
   for (const auto& body : bodies_) energy += body->strain_energy(x);
   for (const auto& spring : springs_)
     if (spring.acts_at(time_)) energy += spring.energy(x);
+  for (const auto& term : stretches_)
+    if (term.acts_at(time_)) energy += term.energy(x);
   return energy;
 }
 
@@ -100,6 +105,7 @@ void StepProblem::build_graph() {
   for (auto& contact : contacts_) contact->append_cells(cells);
   for (auto& term : followers_) term.append_cells(cells);
   for (auto& term : springs_) term.append_cells(cells);
+  for (auto& term : stretches_) term.append_cells(cells);
   for (auto& term : dampings_) term.append_cells(cells);
   for (auto& term : inertias_) term.append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);

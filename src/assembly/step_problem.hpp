@@ -12,6 +12,7 @@
 #include "assembly/mortar_term.hpp"
 #include "assembly/obstacle_term.hpp"
 #include "assembly/spring_term.hpp"
+#include "assembly/stretch_term.hpp"
 
 namespace mortise {
 
@@ -206,6 +207,7 @@ class StepProblem {
   DeadLoads dead_loads_;
   std::vector<FollowerTerm> followers_;
   std::vector<SpringTerm> springs_;
+  std::vector<StretchTerm> stretches_;
   std::vector<DampingTerm> dampings_;
   std::vector<InertiaTerm> inertias_;
   std::unique_ptr<SystemMatrix> matrix_;

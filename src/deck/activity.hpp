@@ -11,6 +11,8 @@ namespace mortise {
 struct Activity {
   std::optional<double> start, end;
 
+  bool always() const { return !start && !end; }
+
   bool acts_at(double t) const { return (!start || t > *start) && (!end || t <= *end); }
 
   /// In the step that begins at time `t`, wherever it ends.

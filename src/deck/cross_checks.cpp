@@ -24,6 +24,9 @@ std::vector<std::string> names_in(const Named<Options>& entries) {
   return names;
 }
 
+/// The mesh of "mesh/set", or of "mesh".
+std::string mesh_in(const std::string& set) { return set.substr(0, set.find('/')); }
+
 class CrossChecks {
  public:
   CrossChecks(const DeckSource& source, const DeckOptions& options, Findings& findings)
@@ -35,6 +38,7 @@ class CrossChecks {
 
   void run() {
     check_bodies();
+    check_masses();
     check_plane_bodies();
     check_sets();
     check_loads();
@@ -73,6 +77,27 @@ class CrossChecks {
       }
       if (!body.mesh.empty()) check_blocks(name, body, owners[body.mesh]);
     }
+  }
+
+  /// What moves is known by its name: in initial conditions and body forces.
+  void check_masses() {
+    const std::vector<std::string> bodies = names_in(options_.bodies);
+    for (const auto& [name, masses] : options_.masses) {
+      if (std::find(bodies.begin(), bodies.end(), name) != bodies.end())
+        report("D11", {"masses", name}, "this is the name of a body already");
+      if (masses.set.find('/') == std::string::npos) {
+        check_mesh(masses.set, {"masses", name, "set"});
+      } else {
+        check_set(masses.set, {"masses", name, "set"});
+      }
+    }
+  }
+
+  /// Names of all that moves.
+  std::vector<std::string> moving_names() const {
+    std::vector<std::string> names = names_in(options_.bodies);
+    for (const auto& masses : options_.masses) names.push_back(masses.first);
+    return names;
   }
 
   /// A block belongs to one body.
@@ -117,10 +142,21 @@ class CrossChecks {
 
   void check_sets() {
     for (const auto& [name, support] : options_.supports) check_set(support.set, {"supports", name, "set"});
-    for (const auto& [name, spring] : options_.springs) check_set(spring.set, {"springs", name, "set"});
+    for (const auto& [name, spring] : options_.springs)
+      if (spring.kind) std::visit([&, name = name](const auto& kind) { check_spring(name, kind); }, *spring.kind);
     for (const auto& [name, obstacle] : options_.obstacles) check_set(obstacle.set, {"obstacles", name, "set"});
     for (const auto& [name, rod] : options_.rods) check_mesh(rod.mesh, {"rods", name, "mesh"});
     for (const auto& [name, probe] : options_.probes) check_mesh(probe.mesh, {"probes", name, "mesh"});
+  }
+
+  void check_spring(const std::string& name, const springs::Stiffness& spring) {
+    check_set(spring.set, {"springs", name, "set"});
+  }
+  void check_spring(const std::string& name, const springs::Between& spring) {
+    check_set(spring.from, {"springs", name, "from"});
+    if (!spring.to) return;
+    check_set(*spring.to, {"springs", name, "to"});
+    if (*spring.to == spring.from) report("D19", {"springs", name, "to"}, "is where the spring begins; it needs two ends");
   }
 
   void check_loads() {
@@ -134,9 +170,9 @@ class CrossChecks {
     if (load.mesh) check_mesh(*load.mesh, {"loads", name, "mesh"});
   }
   void check_load(const std::string& name, const loads::BodyForce& load) {
-    const std::vector<std::string> bodies = names_in(options_.bodies);
-    if (load.body && std::find(bodies.begin(), bodies.end(), *load.body) == bodies.end())
-      report("D14", {"loads", name, "body"}, not_among("there is no body " + in_quotes(*load.body), *load.body, bodies));
+    const std::vector<std::string> names = moving_names();
+    if (load.body && std::find(names.begin(), names.end(), *load.body) == names.end())
+      report("D14", {"loads", name, "body"}, not_among("there is no body " + in_quotes(*load.body), *load.body, names));
     for (const auto& [body_name, body] : options_.bodies)
       if (!load.body || *load.body == body_name) check_density(body, "the body force " + in_quotes(name) + " needs it");
   }
@@ -164,10 +200,10 @@ class CrossChecks {
                "is set but unused: it has a meaning only with \"rayleigh mass\" > 0 and in dynamics");
       check_formulation(name, body, scheme);
     }
-    const std::vector<std::string> bodies = names_in(options_.bodies);
+    const std::vector<std::string> names = moving_names();
     for (const auto& [name, unused] : options_.initial_conditions) {
-      if (!bodies.empty() && std::find(bodies.begin(), bodies.end(), name) == bodies.end())
-        report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, bodies));
+      if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, names));
       if (!has_inertia())
         report("D13", {"initial conditions", name},
                "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " + scheme);
@@ -313,10 +349,16 @@ class CrossChecks {
       used_meshes.insert(body.second.mesh);
       used_materials.insert(body.second.material);
     }
+    for (const auto& masses : options_.masses) used_meshes.insert(mesh_in(masses.second.set));
+    for (const auto& spring : options_.springs)
+      if (const auto* between = std::get_if<springs::Between>(&*spring.second.kind)) {
+        used_meshes.insert(mesh_in(between->from));
+        if (between->to) used_meshes.insert(mesh_in(*between->to));
+      }
     for (const FormulaUse& use : findings_.formulas) {
       for (const std::string& name : names_in_formula(use.text)) used_tables.insert(name);
     }
-    check_used("meshes", options_.meshes, used_meshes, "is not used by any body");
+    check_used("meshes", options_.meshes, used_meshes, "is not used by any body or masses");
     check_used("materials", options_.materials, used_materials, "is not used by any body");
     check_used("tables", options_.tables, used_tables, "is not used by any formula");
   }

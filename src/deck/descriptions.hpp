@@ -28,13 +28,15 @@ inline bool is_sha256(const std::string& text) {
 template <class Fields>
 void describe_recipe(Fields& f, MeshOptions& o, Presence recipe) {
   f.kind("recipe", o.recipe, recipe,
-         "a shape that is meshed with hexahedra; it makes one element block, named after the recipe (a graded block too is a "
+         "a shape that is meshed, with hexahedra but for points and line; it makes one element block, named after the recipe (a "
+         "graded block too is a "
          "block)");
   Choices<ElementType> types;
   for (ElementType type : element_types) types.emplace_back(topology(type).name, type);
   f.choice("element type", o.element_type, types, Presence::optional,
            "of a recipe's elements: each hexahedron as one hex8, hex20 or hex27, two wedge6, or six tet4 or tet10; nodes between "
            "corners are in the middle of straight edges");
+  f.only_with({"element type"}, "recipe", !o.recipe || makes_solids(*o.recipe), "a \"recipe\" of hexahedra");
   f.optional("origin", o.origin, anything, "length", "where the mesh's own origin is placed");
   f.optional("rotation", o.rotation, anything, "-, degrees", "axis x, y, z and angle; the mesh is turned before it is placed");
   f.rule("D08", {"rotation"}, o.rotation[0] != 0 || o.rotation[1] != 0 || o.rotation[2] != 0,
@@ -228,11 +230,15 @@ void describe(Fields& f, DeckOptions& o) {
   f.optional("title", o.title, anything, "", "one line for the log and the results");
   f.list("units", o.units, Presence::optional, "labels only: numbers are never converted, decks use any consistent units");
   f.named("meshes", o.meshes, Presence::required, "meshes from Exodus files or recipes, and where they are placed");
-  f.named("materials", o.materials, Presence::required, "materials; each must be used by a body");
-  f.named("bodies", o.bodies, Presence::required, "a body: blocks of a mesh, and their material");
+  f.named("materials", o.materials, Presence::filled_if_present, "materials; each must be used by a body");
+  f.named("bodies", o.bodies, Presence::filled_if_present, "a body: blocks of a mesh, and their material");
+  f.named("masses", o.masses, Presence::filled_if_present, "point masses: the same mass on each node of a set");
+  f.rule("D07", {"bodies", "masses"}, !o.bodies.empty() || !o.masses.empty(),
+         "is missing: something must move - bodies or masses");
+  f.rule("D07", {"materials"}, o.bodies.empty() || !o.materials.empty(), "is missing: bodies are made of materials");
   f.named("tables", o.tables, Presence::optional, "piecewise linear functions, called in formulas by their names");
   f.named("supports", o.supports, Presence::optional, "prescribed motions");
-  f.named("springs", o.springs, Presence::optional, "springs to the ground");
+  f.named("springs", o.springs, Presence::optional, "springs to the ground, and between points");
   f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
   f.named("obstacles", o.obstacles, Presence::optional,
@@ -240,8 +246,9 @@ void describe(Fields& f, DeckOptions& o) {
           "(node sets) "
           "over the square of the smallest element size");
   f.named("rods", o.rods, Presence::optional, "rigid rods without mass from a point in space to a node");
-  f.named("initial conditions", o.initial_conditions, Presence::optional,
-          "how bodies move at the start, each named as its body; without it a body is at rest");
+  f.named(
+      "initial conditions", o.initial_conditions, Presence::optional,
+      "how bodies and masses move at the start, each named as its body or its entry of `masses`; without it they are at rest");
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
   f.list("output", o.output, Presence::optional, "what is written to results.e");

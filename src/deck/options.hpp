@@ -9,6 +9,7 @@
 
 #include "assembly/tangent_kind.hpp"
 #include "deck/damping_options.hpp"
+#include "deck/discrete_options.hpp"
 #include "deck/initial_options.hpp"
 #include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
@@ -145,6 +146,7 @@ struct DeckOptions {
   Named<MeshOptions> meshes;
   Named<MaterialOptions> materials;
   Named<BodyOptions> bodies;
+  Named<MassOptions> masses;
   Named<TableOptions> tables;
   Named<SupportOptions> supports;
   Named<SpringOptions> springs;
@@ -152,7 +154,7 @@ struct DeckOptions {
   Named<ContactOptions> contact;
   Named<ObstacleOptions> obstacles;
   Named<RodOptions> rods;
-  Named<InitialOptions> initial_conditions;  ///< by body
+  Named<InitialOptions> initial_conditions;  ///< by body or masses
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;

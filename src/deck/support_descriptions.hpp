@@ -57,6 +57,7 @@ namespace springs {
 
 template <class Fields>
 void describe_stiffness(Fields& f, Stiffness& o, const std::string& unit) {
+  f.required("set", o.set, anything, "", "mesh name / side set, or node set for springs at nodes (name or number)");
   for (int i = 0; i < 3; ++i) {
     const std::string axis(1, "xyz"[i]);
     f.optional(axis, o.stiffness[i], positive, unit, "stiffness in " + axis + "; left out: 0");
@@ -74,12 +75,22 @@ void describe(Fields& f, Bedding& o) {
   describe_stiffness(f, o, "force/length^3");
 }
 
+template <class Fields>
+void describe(Fields& f, Between& o) {
+  f.required("from", o.from, anything, "", "mesh name / node set of one node (name or number)");
+  f.optional("to", o.to, anything, "", "mesh name / node set of one other node (name or number)");
+  f.optional("anchor", o.anchor, anything, "length", "a fixed point instead of \"to\"");
+  f.exactly_one_of({"to", "anchor"});
+  f.optional("rest length", o.rest_length, positive, "length", "length L without force; default: the reference distance");
+  f.required("stiffness", o.stiffness, positive, "force/length", "c of the energy c L^2 w, w being the law's");
+  describe_stretch_law(f, o.law, "c L^2");
+}
+
 }  // namespace springs
 
 template <class Fields>
 void describe(Fields& f, SpringOptions& o) {
-  f.required("set", o.set, anything, "", "mesh name / side set, or node set for springs at nodes (name or number)");
-  f.kind("type", o.kind, Presence::required, "springs to the ground");
+  f.kind("type", o.kind, Presence::required, "springs to the ground, or between two points");
   describe(f, o.activity);
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "deck/activity.hpp"
+#include "deck/discrete_options.hpp"
 #include "deck/load_options.hpp"
 
 namespace mortise {
@@ -53,8 +54,9 @@ struct SupportOptions {
 
 namespace springs {
 
-/// Stiffness of each component.
+/// A set, and the stiffness of each component.
 struct Stiffness {
+  std::string set;
   std::array<std::optional<double>, 3> stiffness;
 };
 
@@ -68,13 +70,24 @@ struct Bedding : Stiffness {
   static constexpr const char* help = "an elastic bedding of a side set: force -k (q - X) per reference area";
 };
 
+/// Between two nodes, or a node and a point of space.
+struct Between {
+  static constexpr const char* name = "between";
+  static constexpr const char* help = "one spring from a node to another node or to a fixed point, with a law in its stretch";
+  std::string from;                             ///< a set of one node
+  std::optional<std::string> to;                ///< likewise
+  std::optional<std::array<double, 3>> anchor;  ///< instead
+  std::optional<double> rest_length;            ///< default: the reference distance
+  double stiffness = 0;
+  StretchLaw law = StretchLaw::saint_venant;
+};
+
 }  // namespace springs
 
-using SpringKind = std::variant<springs::Nodes, springs::Bedding>;
+using SpringKind = std::variant<springs::Nodes, springs::Bedding, springs::Between>;
 
 /// One entry of `springs`.
 struct SpringOptions {
-  std::string set;
   std::optional<SpringKind> kind;  ///< always set once the deck has been read
   Activity activity;
 };

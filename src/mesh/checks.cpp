@@ -9,6 +9,7 @@
 #include <set>
 
 #include "errors.hpp"
+#include "physics/elements/bars.hpp"
 #include "physics/elements/geometry.hpp"
 #include "utf8.hpp"
 
@@ -61,7 +62,29 @@ struct LeastJacobian {
   double scale;  ///< what the determinant would be for a cube with the longest edge of the element
 };
 
+/// The same for a bar: dX/dxi along the chord between its ends [length].
+LeastJacobian least_jacobian_of_bar(const Mesh& mesh, ElementType type, ElementNodeList element) {
+  LeastJacobian least{0, 1, longest_edge(mesh, type, element)};
+  if (least.scale == 0) return least;
+  const auto position = [&](std::size_t a) {
+    const Point& X = mesh.coordinates[static_cast<std::size_t>(element[a])];
+    return Vec3<double>{X[0], X[1], X[2]};
+  };
+  const Vec3<double> first = position(0), chord = position(1) - first;
+  const auto rule = bar_rule(static_cast<int>(element.size()) - 1);
+  for (std::size_t g = 0; g < rule.size(); ++g) {
+    const BarValues dN = bar_derivatives(element.size(), rule[g].xi);
+    double along = 0;
+    for (std::size_t a = 1; a < element.size(); ++a) along += dN[a] * dot(position(a) - first, chord);
+    along /= least.scale;
+    if (g == 0 || !(along >= least.value)) least = {along, static_cast<int>(g) + 1, least.scale};
+  }
+  return least;
+}
+
 LeastJacobian least_jacobian(const Mesh& mesh, ElementType type, ElementNodeList element) {
+  if (type == ElementType::sphere) return {1, 0, 1};
+  if (is_bar(type)) return least_jacobian_of_bar(mesh, type, element);
   return with_element(type, [&](auto kind) {
     using Element = decltype(kind);
     ElementNodes<Element> X;  // relative to the first corner, so that a mesh far from the origin loses no digits

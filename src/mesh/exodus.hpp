@@ -7,7 +7,7 @@
 
 namespace mortise {
 
-/// Reads nodes, hex8 blocks, side sets, node sets, names and number maps.
+/// Reads nodes, blocks of all types that topology.hpp knows, side sets, node sets, names and number maps.
 /// Ranges are checked before they are used (connectivity, sides, faces, node set members, finite coordinates,
 /// repeated nodes in an element, positive Jacobian at the Gauss points; codes in checks.hpp); side nodes come from our own table.
 /// Empty blocks are left out. Classic, 64-bit offset, 64-bit data and netCDF-4 files, 32- or 64-bit integers.

@@ -98,14 +98,18 @@ class ExodusReader {
     require(ex_get_id_map(id_, EX_ELEM_MAP, mesh_.element_numbers.data()), "the element number map");
   }
 
-  /// The type by name and number of nodes; files write "HEX", "hex8" and "HEXAHEDRON" for the same.
+  /// The type by name and number of nodes; files write "HEX", "hex8" and "HEXAHEDRON" for the same, and "BAR", "BEAM" or "TRUSS".
   std::optional<ElementType> type_of(const ex_block& stored, const Block& block) {
     std::string word(stored.topology, strnlen(stored.topology, MAX_STR_LENGTH));
     word.erase(std::find(word.begin(), word.end(), ' '), word.end());
     std::string upper = word;
     for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    for (const char* bar : {"BEAM", "TRUSS"})
+      if (upper.rfind(bar, 0) == 0) upper.replace(0, std::string(bar).size(), "BAR");
+    std::vector<ElementType> types(element_types.begin(), element_types.end());
+    types.insert(types.end(), discrete_types.begin(), discrete_types.end());
     std::vector<std::string> names;
-    for (ElementType type : element_types) {
+    for (ElementType type : types) {
       const Topology& known = topology(type);
       names.push_back(known.name);
       const std::string stem = known.shape.substr(0, 3);  // TET, TETRA; WED, WEDGE; HEX

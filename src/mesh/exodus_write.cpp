@@ -91,7 +91,7 @@ class GeometryWriter {
     for (const Block& block : mesh_.blocks) {
       const auto n = static_cast<std::int64_t>(block.elements.size());
       const Topology& of = topology(block.elements.type());
-      const std::string kind = of.shape + std::to_string(of.n_nodes);
+      const std::string kind = of.shape + (of.n_nodes > 1 ? std::to_string(of.n_nodes) : "");
       require(ex_put_block(id_, EX_ELEM_BLOCK, block.id, kind.c_str(), n, of.n_nodes, 0, 0, 0), "block");
       std::vector<std::int64_t> nodes;
       for (int a : block.elements.nodes()) nodes.push_back(a + 1);

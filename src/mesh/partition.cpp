@@ -12,11 +12,15 @@ namespace mortise {
 namespace {
 
 /// Consecutive elements to consecutive ranks: for meshes too small to be worth a graph (METIS fails with more parts than
-/// elements).
+/// elements), and for points and chains of bars, whose numbers run along them.
 std::vector<int> in_order(int n, int n_ranks) {
   std::vector<int> rank(static_cast<std::size_t>(n));
   for (int e = 0; e < n; ++e) rank[static_cast<std::size_t>(e)] = static_cast<int>(static_cast<std::int64_t>(e) * n_ranks / n);
   return rank;
+}
+
+bool has_solids(const Mesh& mesh) {
+  return std::any_of(mesh.blocks.begin(), mesh.blocks.end(), [](const Block& b) { return is_solid(b.elements.type()); });
 }
 
 std::vector<int> by_metis(const Mesh& mesh, int n, int n_ranks, const std::vector<int>& contact_elements, int contact_weight) {
@@ -53,7 +57,7 @@ Partition make_partition(const Mesh& mesh, int n_ranks, const std::vector<int>& 
   Partition partition;
   if (n_ranks == 1) {
     partition.element_rank.assign(static_cast<std::size_t>(n), 0);
-  } else if (n < 4 * n_ranks) {
+  } else if (n < 4 * n_ranks || !has_solids(mesh)) {
     partition.element_rank = in_order(n, n_ranks);
   } else {
     partition.element_rank = by_metis(mesh, n, n_ranks, contact_elements, contact_weight);

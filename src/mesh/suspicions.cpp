@@ -70,7 +70,9 @@ void find_coincident_nodes(const Mesh& mesh, const std::vector<double>& element_
 }
 
 void compare_sizes(const Mesh& mesh, const std::vector<double>& element_size, std::vector<std::string>& warnings) {
-  const auto [least, most] = std::minmax_element(element_size.begin(), element_size.end());
+  const auto is_smaller = [](double a, double b) { return a > 0 && (!(b > 0) || a < b); };  // points have no size
+  const auto least = std::min_element(element_size.begin(), element_size.end(), is_smaller);
+  const auto most = std::max_element(element_size.begin(), element_size.end());
   if (*most <= size_ratio * *least) return;
   const auto number = [&](auto size) { return mesh.element_numbers[static_cast<std::size_t>(size - element_size.begin())]; };
   warnings.push_back(

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cassert>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,19 @@
 
 namespace mortise {
 
-enum class ElementType { hex8, hex20, hex27, tet4, tet10, wedge6 };
+enum class ElementType { hex8, hex20, hex27, tet4, tet10, wedge6, sphere, bar2, bar3, bar4 };
 
+/// Solid elements: those with a volume, that bodies are made of.
 inline constexpr std::array element_types{ElementType::hex8, ElementType::hex20, ElementType::hex27,
                                           ElementType::tet4, ElementType::tet10, ElementType::wedge6};
+
+/// Elements without volume: points that may carry a mass, and bars that strings are made of.
+inline constexpr std::array discrete_types{ElementType::sphere, ElementType::bar2, ElementType::bar3, ElementType::bar4};
+
+constexpr bool is_bar(ElementType type) {
+  return type == ElementType::bar2 || type == ElementType::bar3 || type == ElementType::bar4;
+}
+constexpr bool is_solid(ElementType type) { return type != ElementType::sphere && !is_bar(type); }
 
 /// What is where in an element; nodes are counted from 0 in Exodus order.
 struct Topology {
@@ -28,9 +38,10 @@ struct Topology {
 
 const Topology& topology(ElementType type);
 
-/// Calls f(Hex8{}), f(Tet10{}) ...: the shape functions that belong to a type.
+/// Calls f(Hex8{}), f(Tet10{}) ...: the shape functions that belong to a type. Precondition: a solid one.
 template <class Function>
 decltype(auto) with_element(ElementType type, Function f) {
+  assert(is_solid(type));
   switch (type) {
     case ElementType::hex20:
       return f(Hex20{});

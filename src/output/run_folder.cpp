@@ -50,8 +50,8 @@ std::string in_words(const Activity& activity) {
 std::string forces_and_motions(const Scene& scene) {
   const bool is_damped =
       std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const Body& body) { return body.rayleigh.exists(); });
-  std::string text =
-      fmt::format("  prescribed motion: {}\n  springs: {}\n", on_off(!scene.prescribed.empty()), on_off(!scene.springs.empty()));
+  std::string text = fmt::format("  prescribed motion: {}\n  springs: {}\n", on_off(!scene.prescribed.empty()),
+                                 on_off(!scene.springs.empty() || !scene.node_springs.empty()));
   for (const auto& kind : names_of_kinds<LoadKind>())
     text += fmt::format(
         "  {}: {}\n", kind,
@@ -62,6 +62,11 @@ std::string forces_and_motions(const Scene& scene) {
   for (const auto& spring : scene.springs)
     text += fmt::format("  springs \"{}\": {}{}\n", spring.name, spring.sides.empty() ? "nodes" : "bedding",
                         in_words(spring.activity));
+  for (const auto& spring : scene.node_springs)
+    text += fmt::format("  spring \"{}\": between, {}{}\n", spring.name, word_for(stretch_law_names, spring.law),
+                        in_words(spring.activity));
+  for (const auto& masses : scene.masses)
+    text += fmt::format("  masses \"{}\": {} on each of {} nodes\n", masses.name, masses.mass, masses.nodes.size());
   for (const auto& load : scene.loads)
     text += fmt::format("  load \"{}\": {}{}\n", load.name, load.kind, in_words(load.activity));
   for (const auto& body : scene.bodies)
@@ -132,10 +137,14 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
   const auto is_rod = [](const Obstacle& o) { return o.is_two_sided; };
   const auto n_rods = std::count_if(scene.obstacles.begin(), scene.obstacles.end(), is_rod);
   text += fmt::format("  time scheme: {}\n  inertia: {}\n", name_of_kind(scene.time.scheme), on_off(scene.scheme.has_inertia()));
-  for (const auto& term : problem.inertias())
-    text +=
-        fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n", term.body().name,
-                    problem.mass_and_centre(term, *problem.reference_state()).first, word_for(mass_names, term.body().mass_kind));
+  // Terms of inertia: bodies, then masses.
+  for (std::size_t k = 0; k < problem.inertias().size(); ++k) {
+    const bool is_body = k < scene.bodies.size();
+    const double mass = problem.mass_and_centre(problem.inertias()[k], *problem.reference_state()).first;
+    text += fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n",
+                        is_body ? scene.bodies[k].name : scene.masses[k - scene.bodies.size()].name, mass,
+                        is_body ? word_for(mass_names, scene.bodies[k].mass_kind) : "lumped");
+  }
   text += fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: off\n", on_off(!scene.pairs.empty()),
                       on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0));
   text += forces_and_motions(scene);

@@ -174,4 +174,20 @@ void describe(Fields& f, Hexahedron& o) {
   limit_nodes(f, lattice_nodes(o.elements));
 }
 
+template <class Fields>
+void describe(Fields& f, Points& o) {
+  f.required("coordinates", o.coordinates, anything, "length", "x, y, z of the first point, of the second, ...");
+  f.rule("D17", {"coordinates"}, !o.coordinates.empty() && o.coordinates.size() % 3 == 0,
+         "must hold three numbers for each point");
+}
+
+template <class Fields>
+void describe(Fields& f, Line& o) {
+  f.optional("from", o.from, anything, "length", "position of the start");
+  f.optional("to", o.to, anything, "length", "position of the end");
+  f.optional("elements", o.elements, element_count, "-", "number of bars");
+  f.optional("order", o.order, within(1, 3), "-", "of their shape functions: bars with 2, 3 or 4 nodes");
+  f.rule("D08", {"to", "from"}, o.from != o.to, "must differ from \"from\"");
+}
+
 }  // namespace mortise::recipes

@@ -1,12 +1,14 @@
 // Meshes made by a recipe: the shapes that need no file, and what each of them is told.
 //
 // Every recipe makes one block of hex8 named after its word in the deck (the graded block's is "block" too), side sets and node
-// sets of the same names, and numbers counted from 1; the same data give the same mesh to the last bit. A new recipe is one
-// struct here with its line in `Recipe`, its description in descriptions.hpp and one short file with its map.
+// sets of the same names, and numbers counted from 1; "points" and "line" have no volume, so no side sets; the same data give the
+// same mesh to the last bit. A new recipe is one struct here with its line in `Recipe`, its description in descriptions.hpp and
+// one short file with its map.
 #pragma once
 
 #include <array>
 #include <variant>
+#include <vector>
 
 #include "mesh/mesh.hpp"
 
@@ -139,6 +141,23 @@ struct Hexahedron {
   std::array<double, 3> grading{1, 1, 1};  ///< last / first element size, per direction
 };
 
+/// Single points, one sphere element each.
+struct Points {
+  static constexpr const char* name = "points";
+  static constexpr const char* help =
+      "single points, which `masses` and `springs` make a scene of; node sets: 1, 2, ... in their order";
+  std::vector<double> coordinates;  ///< x, y, z of each
+};
+
+/// A straight line of bars.
+struct Line {
+  static constexpr const char* name = "line";
+  static constexpr const char* help = "a straight line of bars, which `strings` are made of; node sets: start, end";
+  std::array<double, 3> from{0, 0, 0}, to{1, 0, 0};
+  int elements = 1;
+  int order = 1;  ///< of the shape functions: 1 to 3
+};
+
 /// The mesh of each recipe, made at the origin.
 /// @throws MeshError M41 with the parameter at fault; M21 where data are so extreme that elements have no volume in doubles
 Mesh make(const Block& o);
@@ -152,13 +171,20 @@ Mesh make(const CurvedIndenter& o);
 Mesh make(const Wedge& o);
 Mesh make(const LBlock& o);
 Mesh make(const Hexahedron& o);
+Mesh make(const Points& o);
+Mesh make(const Line& o);
 
 }  // namespace recipes
 
 /// What a deck may ask for, in the order of the reference.
 using Recipe = std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
                             recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge,
-                            recipes::LBlock, recipes::Hexahedron>;
+                            recipes::LBlock, recipes::Hexahedron, recipes::Points, recipes::Line>;
+
+/// Whether a recipe makes hexahedra, which can be cut into other elements.
+inline bool makes_solids(const Recipe& recipe) {
+  return !std::holds_alternative<recipes::Points>(recipe) && !std::holds_alternative<recipes::Line>(recipe);
+}
 
 /// The mesh of a recipe. @throws MeshError as the recipes' own
 inline Mesh make(const Recipe& recipe) {

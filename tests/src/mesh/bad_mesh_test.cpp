@@ -146,7 +146,7 @@ TEST(ForeignFiles, WithOtherElementTypesNameEachBlock) {
     file.add_block(3, "HEX", 1, 9, "");
   }
   const std::string error = mesh_error_of([&] { read_exodus(folder / "tool.exo"); });
-  const std::string supported = "is not supported - supported: hex8, hex20, hex27, tet4, tet10, wedge6";
+  const std::string supported = "is not supported - supported: hex8, hex20, hex27, tet4, tet10, wedge6, sphere, bar2, bar3, bar4";
   expect_words(error, {"tool.exo: error[M12] block 2 \"shaft\": element type PYRAMID5 with 5 nodes " + supported,
                        "block 3: element type HEX with 9 nodes " + supported});
 }

@@ -1,0 +1,96 @@
+#include "assembly/stretch_term.hpp"
+
+#include <Sacado.hpp>
+
+namespace mortise {
+namespace {
+
+using Fad = Sacado::Fad::SFad<double, 3>;
+
+bool is_admissible(const Vec3<double>& t) {
+  const double s = dot(t, t);
+  return std::isfinite(s) && s > 0;
+}
+
+Vec3<Fad> seeded(const Vec3<double>& t) { return {Fad(3, 0, t[0]), Fad(3, 1, t[1]), Fad(3, 2, t[2])}; }
+Vec3<Fad> constant(const Vec3<double>& t) { return {Fad(t[0]), Fad(t[1]), Fad(t[2])}; }
+
+}  // namespace
+
+StretchTerm::StretchTerm(const NodeSpring& spring, const DofSpace& dofs) : law_(spring.law), activity_(spring.activity) {
+  if (!dofs.owned(spring.from)) return;
+  const double L = spring.rest_length;
+  Line line{{spring.from}, {dofs.local(spring.from)}, {{{-1 / L}, {0, 0, 0}, spring.stiffness * L * L}}};
+  if (spring.to) {
+    line.nodes.push_back(*spring.to);
+    line.local.push_back(dofs.local(*spring.to));
+    line.points[0].slopes.push_back(1 / L);
+  } else {
+    for (int i = 0; i < 3; ++i) line.points[0].fixed[i] = spring.anchor[i] / L;
+  }
+  lines_.push_back(std::move(line));
+}
+
+void StretchTerm::append_cells(std::vector<Cell>& cells) {
+  first_cell_ = cells.size();
+  for (const Line& line : lines_) cells.push_back(line.nodes);
+}
+
+Vec3<double> StretchTerm::tangent(const Line& line, const Point& point, const double* x) {
+  Vec3<double> t = point.fixed;
+  for (std::size_t a = 0; a < line.local.size(); ++a)
+    for (int i = 0; i < 3; ++i) t[i] += point.slopes[a] * x[line.local[a] + i];
+  return t;
+}
+
+bool StretchTerm::add_force(const double* x_n, const double* x, double* f) const {
+  return with_stretch_law(law_, [&](auto law) {
+    for (const Line& line : lines_)
+      for (const Point& point : line.points) {
+        const Vec3<double> t = tangent(line, point, x), t_n = x_n ? tangent(line, point, x_n) : t;
+        if (!is_admissible(t)) return false;
+        const Vec3<double> n = point.energy * tension<decltype(law)>(t_n, t);
+        for (std::size_t a = 0; a < line.local.size(); ++a)
+          for (int i = 0; i < 3; ++i) f[line.local[a] + i] += point.slopes[a] * n[i];
+      }
+    return true;
+  });
+}
+
+bool StretchTerm::add_tangent(const double* x_n, const double* x, double factor, double* f, SystemMatrix& matrix) const {
+  return with_stretch_law(law_, [&](auto law) {
+    for (std::size_t l = 0; l < lines_.size(); ++l) {
+      const Line& line = lines_[l];
+      const std::size_t size = line.local.size();
+      std::vector<double> K(9 * size * size, 0.0);
+      for (const Point& point : line.points) {
+        const Vec3<double> t = tangent(line, point, x);
+        if (!is_admissible(t)) return false;
+        const Vec3<Fad> end = seeded(t), n = tension<decltype(law)>(x_n ? constant(tangent(line, point, x_n)) : end, end);
+        for (std::size_t a = 0; a < size; ++a)
+          for (int i = 0; i < 3; ++i) {
+            const double force = point.energy * point.slopes[a];
+            f[line.local[a] + i] += force * n[i].val();
+            for (std::size_t b = 0; b < size; ++b)
+              for (int j = 0; j < 3; ++j) K[(3 * a + i) * 3 * size + 3 * b + j] += factor * force * point.slopes[b] * n[i].dx(j);
+          }
+      }
+      matrix.add(first_cell_ + l, K.data());
+    }
+    return true;
+  });
+}
+
+double StretchTerm::energy(const double* x) const {
+  return with_stretch_law(law_, [&](auto law) {
+    double energy = 0;
+    for (const Line& line : lines_)
+      for (const Point& point : line.points) {
+        const Vec3<double> t = tangent(line, point, x);
+        energy += point.energy * law.energy(dot(t, t));
+      }
+    return energy;
+  });
+}
+
+}  // namespace mortise
