@@ -40,6 +40,18 @@ struct PointMasses {
   std::optional<InitialOptions> initial;
 };
 
+/// A string: bars of one section, without stiffness against bending.
+struct String {
+  std::string name;
+  std::vector<int> elements;           ///< numbers over all blocks, ascending
+  std::vector<int> nodes;              ///< ascending
+  double axial_stiffness;              ///< EA [N]
+  std::optional<double> line_density;  ///< rho A [kg/m]
+  StretchLaw law;
+  double size;  ///< shortest distance of an element's ends over its order [m]
+  std::optional<InitialOptions> initial;
+};
+
 /// Two surfaces that may meet.
 struct ContactPair {
   std::string name;
@@ -68,6 +80,7 @@ struct Scene {
   CombinedMesh mesh;
   std::vector<Body> bodies;
   std::vector<PointMasses> masses;
+  std::vector<String> strings;
   std::vector<Support> supports;
   std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis, support, whether or not the support acts
   std::vector<Spring> springs;
@@ -86,8 +99,8 @@ struct Scene {
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater,
-                       ///< E h the stiffness of a spring
-  double size;         ///< smallest size of an element of a body, or length of a spring [m]
+                       ///< E h the stiffness of a spring, EA/h of a string
+  double size;         ///< smallest size of an element of a body or string, or length of a spring [m]
   double extent;       ///< greatest reference coordinate [m]
 
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }

@@ -133,12 +133,13 @@ struct DeckOptions {
   Named<MaterialOptions> materials;
   Named<BodyOptions> bodies;
   Named<MassOptions> masses;
+  Named<StringOptions> strings;
   Named<TableOptions> tables;
   Named<SupportOptions> supports;
   Named<SpringOptions> springs;
   Named<LoadOptions> loads;
   Named<ContactOptions> contact;
-  Named<InitialOptions> initial_conditions;  ///< by body or masses
+  Named<InitialOptions> initial_conditions;  ///< by body, masses or string
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;

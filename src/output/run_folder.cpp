@@ -65,6 +65,9 @@ std::string forces_and_motions(const Scene& scene) {
   for (const auto& spring : scene.node_springs)
     text += fmt::format("  spring \"{}\": between, {}{}\n", spring.name, word_for(stretch_law_names, spring.law),
                         in_words(spring.activity));
+  for (const auto& string : scene.strings)
+    text += fmt::format("  string \"{}\": {}, {} bars\n", string.name, word_for(stretch_law_names, string.law),
+                        string.elements.size());
   for (const auto& masses : scene.masses)
     text += fmt::format("  masses \"{}\": {} on each of {} nodes\n", masses.name, masses.mass, masses.nodes.size());
   for (const auto& load : scene.loads)
