@@ -161,11 +161,13 @@ class LoadMaker {
     return forces::SidePressure{sides(o.set), names_.formula(*o.pressure, {entry_[0], entry_[1], "pressure"})};
   }
   What operator()(const loads::BodyForce& o) const {
-    forces::Acceleration force{{}, {}, names_.formulas(o.acceleration, entry_)};
+    forces::Acceleration force{{}, {}, {}, names_.formulas(o.acceleration, entry_)};
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
       if (!o.body || scene_.bodies[b].name == *o.body) force.bodies.push_back(static_cast<int>(b));
     for (std::size_t m = 0; m < scene_.masses.size(); ++m)
       if (!o.body || scene_.masses[m].name == *o.body) force.masses.push_back(static_cast<int>(m));
+    for (std::size_t s = 0; s < scene_.strings.size(); ++s)
+      if (!o.body || scene_.strings[s].name == *o.body) force.strings.push_back(static_cast<int>(s));
     return force;
   }
   What operator()(const loads::PointForce& o) const {

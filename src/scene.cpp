@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "assembly/formulations.hpp"
 #include "errors.hpp"
@@ -63,6 +64,7 @@ class SceneMaker {
     scene_.expected = options_.expected;
     warn_of_odd_materials();
     make_bodies();
+    make_strings();
     make_masses();
     stop_at_errors();  // what follows needs bodies
     make_supports(names_, scene_);
@@ -108,30 +110,61 @@ class SceneMaker {
         warnings_.push_back(fmt::format("materials > {}: {}", name, what));
   }
 
+  /// The blocks of a body or string: those that it names, or all of the right kind. Faulty ones are told and left out.
+  std::vector<int> blocks_of(const std::string& list, const std::string& name, const std::string& mesh,
+                             const std::vector<std::string>& named_blocks, bool (*is_right)(ElementType),
+                             const std::string& right_ones) {
+    const MeshPart& part = *find_part(scene_.mesh, mesh);
+    const auto& all = scene_.mesh.mesh.blocks;
+    std::vector<int> blocks;
+    if (named_blocks.empty()) {
+      for (int b = part.first_block; b < part.first_block + part.n_blocks; ++b)
+        if (is_right(all[b].elements.type())) blocks.push_back(b);
+      if (blocks.empty()) error("D19", {list, name, "mesh"}, fmt::format("has no {}, which {} are made of", right_ones, list));
+    }
+    for (const auto& block : named_blocks) {
+      const auto found = find_block(scene_.mesh, part, block);
+      if (!found) {
+        const auto names = block_names(scene_.mesh, part);
+        error("D20", {list, name, "blocks"},
+              fmt::format("mesh \"{}\" has no block \"{}\"{}; it has: {}", mesh, block, did_you_mean(block, names), join(names)));
+      } else if (!is_right(all[*found].elements.type())) {
+        error("D19", {list, name, "blocks"},
+              fmt::format("block \"{}\" has {} elements - {} are made of {}", block, topology(all[*found].elements.type()).name,
+                          list, right_ones));
+      } else {
+        blocks.push_back(*found);
+      }
+    }
+    return blocks;
+  }
+
+  /// Elements of a block, by their numbers over all blocks.
+  std::vector<int> elements_of_block(int block) const {
+    int first = 0;
+    for (int b = 0; b < block; ++b) first += static_cast<int>(scene_.mesh.mesh.blocks[b].elements.size());
+    std::vector<int> elements(scene_.mesh.mesh.blocks[block].elements.size());
+    std::iota(elements.begin(), elements.end(), first);
+    return elements;
+  }
+
+  /// Nodes of some elements, ascending.
+  std::vector<int> nodes_of_elements(const std::vector<int>& elements) const {
+    std::vector<int> nodes;
+    for (int e : elements) {
+      const ElementNodeList of_element = element_nodes(scene_.mesh.mesh, e);
+      nodes.insert(nodes.end(), of_element.begin(), of_element.end());
+    }
+    std::sort(nodes.begin(), nodes.end());
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+    return nodes;
+  }
+
   void make_bodies() {
     const Mesh& mesh = scene_.mesh.mesh;
-    std::vector<int> first_of_block{0};
-    for (const auto& block : mesh.blocks)
-      first_of_block.push_back(first_of_block.back() + static_cast<int>(block.elements.size()));
     std::vector<std::string> owner(mesh.blocks.size());
     for (const auto& [name, o] : options_.bodies) {
-      const MeshPart& part = *find_part(scene_.mesh, o.mesh);
-      std::vector<int> blocks;
-      if (o.blocks.empty())
-        for (int b = part.first_block; b < part.first_block + part.n_blocks; ++b)
-          if (is_solid(mesh.blocks[b].elements.type())) blocks.push_back(b);
-      if (o.blocks.empty() && blocks.empty())
-        error("D19", {"bodies", name, "mesh"}, "has no solid elements, which bodies are made of");
-      for (const auto& block : o.blocks) {
-        if (const auto found = find_block(scene_.mesh, part, block)) {
-          blocks.push_back(*found);
-        } else {
-          const auto names = block_names(scene_.mesh, part);
-          error("D20", {"bodies", name, "blocks"},
-                fmt::format("mesh \"{}\" has no block \"{}\"{}; it has: {}", o.mesh, block, did_you_mean(block, names),
-                            join(names)));
-        }
-      }
+      const std::vector<int> blocks = blocks_of("bodies", name, o.mesh, o.blocks, is_solid, "solid elements");
       const MaterialOptions& of_material = named(options_.materials, o.material);
       const Material material = make_material(of_material);
       check_formulation(name, o.formulation, material);
@@ -148,31 +181,20 @@ class SceneMaker {
                 o.mass,
                 o.rayleigh,
                 initial_motion(name)};
-      bool is_made_of_solids = !blocks.empty();
       for (int b : blocks) {
-        if (!is_solid(mesh.blocks[b].elements.type())) {
-          is_made_of_solids = false;
-          error("D19", {"bodies", name, "blocks"},
-                fmt::format("block \"{}\" has {} elements - bodies are made of solid ones", mesh.blocks[b].name,
-                            topology(mesh.blocks[b].elements.type()).name));
-        }
         if (!owner[b].empty())
           error("D19", {"bodies", name},
                 fmt::format("block \"{}\" belongs to body \"{}\" already - a block has one material", mesh.blocks[b].name,
                             owner[b]));
         owner[b] = name;
-        for (int e = first_of_block[b]; e < first_of_block[b + 1]; ++e) body.elements.push_back(e);
+        const auto elements = elements_of_block(b);
+        body.elements.insert(body.elements.end(), elements.begin(), elements.end());
       }
-      if (!is_made_of_solids) continue;
+      if (body.elements.empty()) continue;
       std::sort(body.elements.begin(), body.elements.end());
       double volume = 0;
-      for (int e : body.elements) {
-        const ElementNodeList nodes = element_nodes(mesh, e);
-        volume += element_volume(mesh, e);
-        body.nodes.insert(body.nodes.end(), nodes.begin(), nodes.end());
-      }
-      std::sort(body.nodes.begin(), body.nodes.end());
-      body.nodes.erase(std::unique(body.nodes.begin(), body.nodes.end()), body.nodes.end());
+      for (int e : body.elements) volume += element_volume(mesh, e);
+      body.nodes = nodes_of_elements(body.elements);
       check_elements(name, body);
       check_mass(name, body);
       warn_of_locking(name, body);
@@ -254,6 +276,36 @@ class SceneMaker {
     }
   }
 
+  void make_strings() {
+    const Mesh& mesh = scene_.mesh.mesh;
+    std::vector<std::string> owner(mesh.blocks.size());
+    for (const auto& [name, o] : options_.strings) {
+      String string{name, {}, {}, o.youngs_modulus * o.area, {}, o.law, 0, initial_motion(name)};
+      if (o.density) string.line_density = *o.density * o.area;
+      for (int b : blocks_of("strings", name, o.mesh, o.blocks, is_bar, "bars")) {
+        if (!owner[b].empty())
+          error("D19", {"strings", name},
+                fmt::format("block \"{}\" belongs to string \"{}\" already", mesh.blocks[b].name, owner[b]));
+        owner[b] = name;
+        const auto elements = elements_of_block(b);
+        string.elements.insert(string.elements.end(), elements.begin(), elements.end());
+      }
+      if (string.elements.empty()) continue;
+      std::sort(string.elements.begin(), string.elements.end());
+      string.nodes = nodes_of_elements(string.elements);
+      string.size = 1e300;
+      for (int e : string.elements) {
+        const ElementNodeList nodes = element_nodes(mesh, e);
+        string.size = std::min(string.size, longest_edge(mesh, element_type(mesh, e), nodes) / (nodes.size() - 1));
+      }
+      scene_.strings.push_back(std::move(string));
+    }
+    for (std::size_t b = 0; b < owner.size(); ++b)
+      if (owner[b].empty() && is_bar(mesh.blocks[b].elements.type()))
+        error("D19", {"strings"},
+              fmt::format("block \"{}\" belongs to no string - every block of bars needs a stiffness", mesh.blocks[b].name));
+  }
+
   void make_masses() {
     for (const auto& [name, o] : options_.masses)
       scene_.masses.push_back({name, names_.nodes_of_set_or_mesh(o.set, {"masses", name, "set"}), o.mass, initial_motion(name)});
@@ -265,6 +317,7 @@ class SceneMaker {
     std::vector<std::array<char, 3>> held(scene_.mesh.mesh.coordinates.size(), {0, 0, 0});
     const auto hold = [&](int node) { held[node] = {1, 1, 1}; };
     for (const Body& body : scene_.bodies) std::for_each(body.nodes.begin(), body.nodes.end(), hold);
+    for (const String& string : scene_.strings) std::for_each(string.nodes.begin(), string.nodes.end(), hold);
     if (has_inertia) {
       for (const auto& masses : scene_.masses) std::for_each(masses.nodes.begin(), masses.nodes.end(), hold);
     } else {
@@ -413,10 +466,12 @@ class SceneMaker {
       for (double x : X) extent = std::max(extent, std::abs(x));
     const auto meet = [&](double h) { size = size > 0 ? std::min(size, h) : h; };
     for (const Body& body : scene_.bodies) meet(body.size);
+    for (const String& string : scene_.strings) meet(string.size);
     for (const NodeSpring& spring : scene_.node_springs) meet(spring.rest_length);
     if (!(size > 0)) size = extent > 0 ? extent : 1;  // masses alone
     double stiffness = 0;
     for (const Body& body : scene_.bodies) stiffness = std::max(stiffness, stiffest_modulus(body) * size);
+    for (const String& string : scene_.strings) stiffness = std::max(stiffness, string.axial_stiffness / string.size);
     for (const NodeSpring& spring : scene_.node_springs) stiffness = std::max(stiffness, spring.stiffness);
     if (scene_.bodies.empty())
       for (const Spring& spring : scene_.springs)

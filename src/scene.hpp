@@ -41,6 +41,18 @@ struct PointMasses {
   std::optional<InitialOptions> initial;
 };
 
+/// A string: bars of one section, without stiffness against bending.
+struct String {
+  std::string name;
+  std::vector<int> elements;           ///< numbers over all blocks, ascending
+  std::vector<int> nodes;              ///< ascending
+  double axial_stiffness;              ///< EA [N]
+  std::optional<double> line_density;  ///< rho A [kg/m]
+  StretchLaw law;
+  double size;  ///< shortest distance of an element's ends over its order [m]
+  std::optional<InitialOptions> initial;
+};
+
 /// Nodes that something keeps where they may be: each has a pressure.
 struct ContactNodes {
   std::string name;
@@ -81,6 +93,7 @@ struct Scene {
   CombinedMesh mesh;
   std::vector<Body> bodies;
   std::vector<PointMasses> masses;
+  std::vector<String> strings;
   std::vector<Support> supports;
   std::vector<PrescribedDof> prescribed;  ///< sorted by node, axis, support, whether or not the support acts
   std::vector<Spring> springs;
@@ -100,8 +113,8 @@ struct Scene {
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
   double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater,
-                       ///< E h the stiffness of a spring
-  double size;         ///< smallest size of an element of a body, or length of a spring [m]
+                       ///< E h the stiffness of a spring, EA/h of a string
+  double size;         ///< smallest size of an element of a body or string, or length of a spring [m]
   double extent;       ///< greatest reference coordinate [m]
 
   /// Pairs, then obstacles: all that has multipliers, in their order.

@@ -110,9 +110,9 @@ struct SidePressure {
   std::vector<Side> sides;
   PlacedFormula pressure;
 };
-/// Force per mass [m/s^2] on bodies and point masses, by their indices.
+/// Force per mass [m/s^2] on bodies, point masses and strings, by their indices.
 struct Acceleration {
-  std::vector<int> bodies, masses;
+  std::vector<int> bodies, masses, strings;
   PlacedVector acceleration;
 };
 /// Force [N] at each node.

@@ -1,5 +1,6 @@
 #include "assembly/dead_loads.hpp"
 
+#include "assembly/bar_geometry.hpp"
 #include "assembly/formulations.hpp"
 #include "physics/body_force.hpp"
 #include "physics/surface_load.hpp"
@@ -41,6 +42,7 @@ void DeadLoads::add(const Part& part, const forces::SideTraction& load, double t
 }
 
 void DeadLoads::add(const Part&, const forces::Acceleration& load, double t, double* f, std::string& fault) const {
+  for (int s : load.strings) add_weight(scene_.strings[s], load.acceleration, t, f, fault);
   for (int m : load.masses) add_weight(scene_.masses[m], load.acceleration, t, f, fault);
   const Mesh& mesh = scene_.mesh.mesh;
   for (int b : load.bodies)
@@ -66,6 +68,23 @@ void DeadLoads::add(const Part&, const forces::Acceleration& load, double t, dou
         scatter(local, force, f);
       });
     }
+}
+
+void DeadLoads::add_weight(const String& string, const PlacedVector& acceleration, double t, double* f,
+                           std::string& fault) const {
+  const Mesh& mesh = scene_.mesh.mesh;
+  for (int e : string.elements) {
+    if (!is_mine_[e]) continue;
+    const ElementNodeList nodes = element_nodes(mesh, e);
+    for (const PointOfBar& at : points_of_bar(mesh, nodes, static_cast<int>(nodes.size()))) {
+      Point X{0, 0, 0};
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (int i = 0; i < 3; ++i) X[i] += at.N[a] * mesh.coordinates[nodes[a]][i];
+      const Vec3<double> acting = evaluate(acceleration, t, X, fault);
+      for (std::size_t a = 0; a < nodes.size(); ++a)
+        for (int i = 0; i < 3; ++i) f[dofs_.local(nodes[a]) + i] += *string.line_density * at.length * at.N[a] * acting[i];
+    }
+  }
 }
 
 void DeadLoads::add_weight(const PointMasses& masses, const PlacedVector& acceleration, double t, double* f,

@@ -29,6 +29,7 @@ class DeadLoads {
   void add(const Part& part, const forces::SideTraction& load, double t, double* f, std::string& fault) const;
   void add(const Part& part, const forces::Acceleration& load, double t, double* f, std::string& fault) const;
   void add(const Part& part, const forces::NodalForce& load, double t, double* f, std::string& fault) const;
+  void add_weight(const String& string, const PlacedVector& acceleration, double t, double* f, std::string& fault) const;
   void add_weight(const PointMasses& masses, const PlacedVector& acceleration, double t, double* f, std::string& fault) const;
   void add(const Part&, const forces::SidePressure&, double, double*, std::string&) const {}  // is never dead
 

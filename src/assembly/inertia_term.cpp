@@ -1,5 +1,6 @@
 #include "assembly/inertia_term.hpp"
 
+#include "assembly/bar_geometry.hpp"
 #include "assembly/element_mass.hpp"
 
 namespace mortise {
@@ -33,6 +34,21 @@ InertiaTerm::InertiaTerm(const PointMasses& masses, const DofSpace& dofs)
     : nodes_(&masses.nodes), initial_(&masses.initial), mass_of_element_(masses.mass) {
   for (int node : masses.nodes)
     if (dofs.owned(node)) elements_.push_back({{node}, {dofs.local(node)}, {masses.mass}});
+}
+
+InertiaTerm::InertiaTerm(const Scene& scene, const String& string, const Partition& partition, const DofSpace& dofs)
+    : nodes_(&string.nodes), initial_(&string.initial), mass_of_element_(*string.line_density * string.size) {
+  for (int e : string.elements) {
+    if (partition.element_rank[e] != dofs.comm()->getRank()) continue;
+    const ElementNodeList nodes = element_nodes(scene.mesh.mesh, e);
+    const std::size_t n = nodes.size();
+    Element element{{nodes.begin(), nodes.end()}, {}, std::vector<double>(n * n, 0.0)};
+    for (int node : nodes) element.local.push_back(dofs.local(node));
+    for (const PointOfBar& at : points_of_bar(scene.mesh.mesh, nodes, static_cast<int>(n)))
+      for (std::size_t a = 0; a < n; ++a)
+        for (std::size_t b = 0; b < n; ++b) element.M[a * n + b] += *string.line_density * at.length * at.N[a] * at.N[b];
+    elements_.push_back(std::move(element));
+  }
 }
 
 void InertiaTerm::append_cells(std::vector<Cell>& cells) {

@@ -1,4 +1,4 @@
-// The inertia of one body, or of point masses, as a term of the scene: constant mass matrices, one per element.
+// The inertia of one body, a string or point masses as a term of the scene: constant mass matrices, one per element.
 #pragma once
 
 #include <vector>
@@ -8,12 +8,14 @@
 namespace mortise {
 
 /// Inertial force  f = M a  of the elements of one body that this rank owns,  M_ab = rho int N_a N_b dV  times the identity of
-/// space (thesis eq. 4.13), or of its nodes with a mass. The time scheme hands over a and da/dq.
+/// space (thesis eq. 4.13); of a string, with rho A and over its length; or of its nodes with a mass. The time scheme hands over
+/// a and da/dq.
 class InertiaTerm {
  public:
   /// Precondition: the body has a density (the deck reader sees to it).
   InertiaTerm(const Scene& scene, const BodyTerm& body, const DofSpace& dofs);
   InertiaTerm(const PointMasses& masses, const DofSpace& dofs);
+  InertiaTerm(const Scene& scene, const String& string, const Partition& partition, const DofSpace& dofs);
 
   void append_cells(std::vector<Cell>& cells);
 

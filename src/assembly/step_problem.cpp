@@ -36,10 +36,12 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
     if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);
   for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
   for (const auto& spring : scene.node_springs) stretches_.emplace_back(spring, dofs_);
+  for (const auto& string : scene.strings) stretches_.emplace_back(scene, string, partition, dofs_);
   for (const auto& body : bodies_)
     if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
   if (scene.scheme.has_inertia()) {
     for (const auto& body : bodies_) inertias_.emplace_back(scene, *body, dofs_);
+    for (const auto& string : scene.strings) inertias_.emplace_back(scene, string, partition, dofs_);
     for (const auto& masses : scene.masses) inertias_.emplace_back(masses, dofs_);
   }
   for (int point : dofs_.overlap_points())

@@ -2,6 +2,8 @@
 
 #include <Sacado.hpp>
 
+#include "assembly/bar_geometry.hpp"
+
 namespace mortise {
 namespace {
 
@@ -29,6 +31,22 @@ StretchTerm::StretchTerm(const NodeSpring& spring, const DofSpace& dofs) : law_(
     for (int i = 0; i < 3; ++i) line.points[0].fixed[i] = spring.anchor[i] / L;
   }
   lines_.push_back(std::move(line));
+}
+
+StretchTerm::StretchTerm(const Scene& scene, const String& string, const Partition& partition, const DofSpace& dofs)
+    : law_(string.law) {
+  for (int e : string.elements) {
+    if (partition.element_rank[e] != dofs.comm()->getRank()) continue;
+    const ElementNodeList nodes = element_nodes(scene.mesh.mesh, e);
+    Line line{{nodes.begin(), nodes.end()}, {}, {}};
+    for (int node : nodes) line.local.push_back(dofs.local(node));
+    for (const PointOfBar& at : points_of_bar(scene.mesh.mesh, nodes, static_cast<int>(nodes.size()) - 1)) {
+      Point point{{}, {0, 0, 0}, string.axial_stiffness * at.length};
+      for (std::size_t a = 0; a < nodes.size(); ++a) point.slopes.push_back(at.dN_dS[a]);
+      line.points.push_back(std::move(point));
+    }
+    lines_.push_back(std::move(line));
+  }
 }
 
 void StretchTerm::append_cells(std::vector<Cell>& cells) {

@@ -1,4 +1,4 @@
-// Springs between nodes as a term of the scene: lines that are stretched.
+// Springs between nodes, and strings, as a term of the scene: lines that are stretched.
 #pragma once
 
 #include <vector>
@@ -14,6 +14,9 @@ class StretchTerm {
  public:
   /// The rank that owns the spring's first node has it.
   StretchTerm(const NodeSpring& spring, const DofSpace& dofs);
+
+  /// The elements of the string that this rank owns, with one point less than each has nodes.
+  StretchTerm(const Scene& scene, const String& string, const Partition& partition, const DofSpace& dofs);
 
   void append_cells(std::vector<Cell>& cells);
 

@@ -39,6 +39,7 @@ class CrossChecks {
   void run() {
     check_bodies();
     check_masses();
+    check_strings();
     check_plane_bodies();
     check_sets();
     check_loads();
@@ -93,10 +94,25 @@ class CrossChecks {
     }
   }
 
+  void check_strings() {
+    std::vector<std::string> taken = names_in(options_.bodies);
+    for (const auto& masses : options_.masses) taken.push_back(masses.first);
+    for (const auto& [name, string] : options_.strings) {
+      if (std::find(taken.begin(), taken.end(), name) != taken.end())
+        report("D11", {"strings", name}, "this is the name of a body or masses already");
+      check_mesh(string.mesh, {"strings", name, "mesh"});
+      if (has_inertia() && !string.density)
+        report("D07", {"strings", name},
+               "required \"density\" is missing: time > \"scheme\" = " + in_quotes(name_of_kind(options_.time.scheme)) +
+                   " needs it");
+    }
+  }
+
   /// Names of all that moves.
   std::vector<std::string> moving_names() const {
     std::vector<std::string> names = names_in(options_.bodies);
     for (const auto& masses : options_.masses) names.push_back(masses.first);
+    for (const auto& string : options_.strings) names.push_back(string.first);
     return names;
   }
 
@@ -173,6 +189,10 @@ class CrossChecks {
     const std::vector<std::string> names = moving_names();
     if (load.body && std::find(names.begin(), names.end(), *load.body) == names.end())
       report("D14", {"loads", name, "body"}, not_among("there is no body " + in_quotes(*load.body), *load.body, names));
+    for (const auto& [string_name, string] : options_.strings)
+      if ((!load.body || *load.body == string_name) && !string.density && !has_inertia())
+        report("D07", {"strings", string_name},
+               "required \"density\" is missing: the body force " + in_quotes(name) + " needs it");
     for (const auto& [body_name, body] : options_.bodies)
       if (!load.body || *load.body == body_name) check_density(body, "the body force " + in_quotes(name) + " needs it");
   }
@@ -350,6 +370,7 @@ class CrossChecks {
       used_materials.insert(body.second.material);
     }
     for (const auto& masses : options_.masses) used_meshes.insert(mesh_in(masses.second.set));
+    for (const auto& string : options_.strings) used_meshes.insert(string.second.mesh);
     for (const auto& spring : options_.springs)
       if (const auto* between = std::get_if<springs::Between>(&*spring.second.kind)) {
         used_meshes.insert(mesh_in(between->from));
@@ -358,7 +379,7 @@ class CrossChecks {
     for (const FormulaUse& use : findings_.formulas) {
       for (const std::string& name : names_in_formula(use.text)) used_tables.insert(name);
     }
-    check_used("meshes", options_.meshes, used_meshes, "is not used by any body or masses");
+    check_used("meshes", options_.meshes, used_meshes, "is not used by any body, masses or string");
     check_used("materials", options_.materials, used_materials, "is not used by any body");
     check_used("tables", options_.tables, used_tables, "is not used by any formula");
   }

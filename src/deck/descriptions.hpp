@@ -233,8 +233,9 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("materials", o.materials, Presence::filled_if_present, "materials; each must be used by a body");
   f.named("bodies", o.bodies, Presence::filled_if_present, "a body: blocks of a mesh, and their material");
   f.named("masses", o.masses, Presence::filled_if_present, "point masses: the same mass on each node of a set");
-  f.rule("D07", {"bodies", "masses"}, !o.bodies.empty() || !o.masses.empty(),
-         "is missing: something must move - bodies or masses");
+  f.named("strings", o.strings, Presence::filled_if_present, "strings without bending stiffness, of bars");
+  f.rule("D07", {"bodies", "masses", "strings"}, !o.bodies.empty() || !o.masses.empty() || !o.strings.empty(),
+         "is missing: something must move - bodies, masses or strings");
   f.rule("D07", {"materials"}, o.bodies.empty() || !o.materials.empty(), "is missing: bodies are made of materials");
   f.named("tables", o.tables, Presence::optional, "piecewise linear functions, called in formulas by their names");
   f.named("supports", o.supports, Presence::optional, "prescribed motions");
@@ -246,9 +247,8 @@ void describe(Fields& f, DeckOptions& o) {
           "(node sets) "
           "over the square of the smallest element size");
   f.named("rods", o.rods, Presence::optional, "rigid rods without mass from a point in space to a node");
-  f.named(
-      "initial conditions", o.initial_conditions, Presence::optional,
-      "how bodies and masses move at the start, each named as its body or its entry of `masses`; without it they are at rest");
+  f.named("initial conditions", o.initial_conditions, Presence::optional,
+          "how bodies, masses and strings move at the start, each named as its entry there; without it they are at rest");
   f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
   f.list("output", o.output, Presence::optional, "what is written to results.e");

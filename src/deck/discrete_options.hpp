@@ -35,4 +35,26 @@ void describe(Fields& f, MassOptions& o) {
   f.required("mass", o.mass, positive, "mass", "of each node, in addition to that of bodies and strings there");
 }
 
+/// One entry of `strings`.
+struct StringOptions {
+  std::string mesh;
+  std::vector<std::string> blocks;  ///< names or numbers; empty: all of bars
+  double area = 0;
+  double youngs_modulus = 0;
+  std::optional<double> density;
+  StretchLaw law = StretchLaw::saint_venant;
+};
+
+template <class Fields>
+void describe(Fields& f, StringOptions& o) {
+  f.required("mesh", o.mesh, anything, "", "name of an entry of `meshes`");
+  f.optional("blocks", o.blocks, anything, "",
+             "blocks of bars with 2, 3 or 4 nodes, by name or number; default: all of the mesh");
+  f.required("area", o.area, positive, "length^2", "A of the cross-section where nothing is stretched");
+  f.required("youngs modulus", o.youngs_modulus, positive, "force/length^2",
+             "E of the energy EA w per length, w being the law's");
+  f.optional("density", o.density, positive, "mass/length^3", "mass per reference volume; needed by dynamics and body forces");
+  describe_stretch_law(f, o.law, "EA");
+}
+
 }  // namespace mortise

@@ -32,7 +32,7 @@ void describe(Fields& f, Pressure& o) {
 
 template <class Fields>
 void describe(Fields& f, BodyForce& o) {
-  f.optional("body", o.body, anything, "", "name of an entry of `bodies` or `masses`; left out: all of them");
+  f.optional("body", o.body, anything, "", "name of an entry of `bodies`, `masses` or `strings`; left out: all of them");
   describe_components(f, o.acceleration, "length/time^2");
 }
 

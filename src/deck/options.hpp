@@ -147,6 +147,7 @@ struct DeckOptions {
   Named<MaterialOptions> materials;
   Named<BodyOptions> bodies;
   Named<MassOptions> masses;
+  Named<StringOptions> strings;
   Named<TableOptions> tables;
   Named<SupportOptions> supports;
   Named<SpringOptions> springs;
@@ -154,7 +155,7 @@ struct DeckOptions {
   Named<ContactOptions> contact;
   Named<ObstacleOptions> obstacles;
   Named<RodOptions> rods;
-  Named<InitialOptions> initial_conditions;  ///< by body or masses
+  Named<InitialOptions> initial_conditions;  ///< by body, masses or string
   TimeOptions time;
   SolverOptions solver;
   OutputOptions output;

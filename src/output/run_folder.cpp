@@ -65,6 +65,9 @@ std::string forces_and_motions(const Scene& scene) {
   for (const auto& spring : scene.node_springs)
     text += fmt::format("  spring \"{}\": between, {}{}\n", spring.name, word_for(stretch_law_names, spring.law),
                         in_words(spring.activity));
+  for (const auto& string : scene.strings)
+    text += fmt::format("  string \"{}\": {}, {} bars\n", string.name, word_for(stretch_law_names, string.law),
+                        string.elements.size());
   for (const auto& masses : scene.masses)
     text += fmt::format("  masses \"{}\": {} on each of {} nodes\n", masses.name, masses.mass, masses.nodes.size());
   for (const auto& load : scene.loads)
@@ -137,14 +140,13 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
   const auto is_rod = [](const Obstacle& o) { return o.is_two_sided; };
   const auto n_rods = std::count_if(scene.obstacles.begin(), scene.obstacles.end(), is_rod);
   text += fmt::format("  time scheme: {}\n  inertia: {}\n", name_of_kind(scene.time.scheme), on_off(scene.scheme.has_inertia()));
-  // Terms of inertia: bodies, then masses.
-  for (std::size_t k = 0; k < problem.inertias().size(); ++k) {
-    const bool is_body = k < scene.bodies.size();
-    const double mass = problem.mass_and_centre(problem.inertias()[k], *problem.reference_state()).first;
-    text += fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n",
-                        is_body ? scene.bodies[k].name : scene.masses[k - scene.bodies.size()].name, mass,
-                        is_body ? word_for(mass_names, scene.bodies[k].mass_kind) : "lumped");
-  }
+  std::vector<std::pair<std::string, std::string>> massive;  // in the order of the terms of inertia
+  for (const Body& body : scene.bodies) massive.emplace_back(body.name, word_for(mass_names, body.mass_kind));
+  for (const String& string : scene.strings) massive.emplace_back(string.name, "consistent");
+  for (const PointMasses& masses : scene.masses) massive.emplace_back(masses.name, "lumped");
+  for (std::size_t k = 0; k < problem.inertias().size(); ++k)
+    text += fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n", massive[k].first,
+                        problem.mass_and_centre(problem.inertias()[k], *problem.reference_state()).first, massive[k].second);
   text += fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: off\n", on_off(!scene.pairs.empty()),
                       on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0));
   text += forces_and_motions(scene);
