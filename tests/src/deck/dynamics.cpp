@@ -5,6 +5,7 @@
 namespace mortise::test {
 namespace {
 
+const std::string density = elastic_parameters + parameter("density", "double", "2");
 const std::string time_list = R"(<ParameterList name="time">)", supports_list = R"(<ParameterList name="supports">)";
 
 std::string dynamic(const std::string& scheme, const std::string& parameters = "") {
