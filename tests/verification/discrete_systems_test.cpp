@@ -1,6 +1,7 @@
 // Point masses, springs between them, and strings on any number of ranks: tangents, balances, and the weight of all.
 #include <gtest/gtest.h>
 
+#include "errors.hpp"
 #include "support/marched_scene.hpp"
 
 namespace mortise::test {
@@ -102,6 +103,18 @@ TEST(DiscreteSystem, HasTheTangentOfItsForces) {
       }
       EXPECT_LE(worst, 1e-7 * greatest) << scheme << law;
     }
+}
+
+TEST(DiscreteSystem, WithoutInertiaOrWhatHoldsItIsRefused) {
+  const std::string both = with(System{}, word("set", "ring"), word("set", "ring/1"));
+  try {
+    scene_of(both);
+    ADD_FAILURE() << "no error";
+  } catch (const DeckError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("error[D22] meshes > ring - node 2 of mesh \"ring\" can move, and has no inertia"), std::string::npos)
+        << message;
+  }
 }
 
 /// A mass that hangs on a hinged spring finds  c L (nu^2 - 1) nu / 2 = m g  in statics.
