@@ -97,7 +97,9 @@ class StepStatus : public NOX::StatusTest::Generic {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
       return status_;
     }
-    far_off_ = e.force_residual > 0.3 * e.force_scale && iteration > 1 ? far_off_ + 1 : 0;
+    const bool falls = e.force_residual < 0.5 * last_residual_;  // stiff springs come back from far, a third at a time
+    last_residual_ = e.force_residual;
+    far_off_ = e.force_residual > 0.3 * e.force_scale && iteration > 1 && !falls ? far_off_ + 1 : 0;
     if (far_off_ >= 5) return fail("Newton diverges: the residual has stayed as large as the forces for five iterations");
     detect_cycle(e, settled);
     if (iteration >= options_.largest_iterations)
@@ -197,6 +199,7 @@ class StepStatus : public NOX::StatusTest::Generic {
   std::vector<char> previous_;
   std::map<std::vector<char>, int> met_;  // how often each set was arrived at
   int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0, far_off_ = 0;
+  double last_residual_ = 0;
 };
 
 }  // namespace

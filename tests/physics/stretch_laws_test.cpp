@@ -21,7 +21,7 @@ TYPED_TEST(EveryStretchLaw, HasASlopeThatIsTheQuotientOfItsEnergy) {
 }
 
 TYPED_TEST(EveryStretchLaw, KeepsItsDigitsAsTheIncrementVanishes) {
-  for (double s : {0.3, 0.64, 2.5}) {
+  for (double s : {0.5, 0.64, 2.5}) {
     const double limit = TypeParam::slope(s, 0.0), h = 1e-5;
     EXPECT_NEAR((TypeParam::energy(s + h) - TypeParam::energy(s - h)) / (2 * h), limit, 1e-8);
     for (double ds = 1e-6; ds > 1e-15; ds /= 10) EXPECT_NEAR(TypeParam::slope(s, ds), limit, 300 * ds + 1e-15) << s << " " << ds;

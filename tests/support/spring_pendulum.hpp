@@ -13,6 +13,7 @@ struct SpringPendulum {
   std::string stiffness = "1e6", law = "saint venant", step = "5e-4", end = "0.63";
   std::string rest_length = "1", mass = "1", at = "{0.565685424949238, 0, 0.565685424949238}", velocity = "{0, -12.5, 0}";
   std::string tolerance = "1e-14";
+  std::string smallest_step;  ///< empty: the step, so that it is never cut
 
   operator std::string() const {
     const std::string spring = word("type", "between") + word("from", "ball/1") +
@@ -27,8 +28,8 @@ struct SpringPendulum {
                     list("masses", list("ball", word("set", "ball") + number("mass", mass))) +
                     list("springs", list("spring", spring)) +
                     list("initial conditions", list("ball", deck_parameter("velocity", "Array(double)", velocity))) +
-                    list("time", word("scheme", scheme) + parameters + number("step", step) + number("smallest step", step) +
-                                     number("end", end)) +
+                    list("time", word("scheme", scheme) + parameters + number("step", step) +
+                                     number("smallest step", smallest_step.empty() ? step : smallest_step) + number("end", end)) +
                     list("solver", number("tolerance", tolerance) + deck_parameter("newton iterations", "int", "60")) +
                     list("probes", probes));
   }

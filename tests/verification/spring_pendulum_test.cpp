@@ -14,18 +14,20 @@ namespace {
 struct SchemeCase {
   std::string scheme, parameters, reference;
   int order = 2;
+  /// Of the stiff spring at dt = 5e-4, to the digits of the errata page, part C; the greatest is the start where none is given.
+  double least = 0, most = 0, end = 0;
 };
 
 const std::string four_numbers = number("alpha m", "0.23529411764705882") + number("alpha f", "0.41176470588235292") +
                                  number("beta", "0.33823529411764705") + number("gamma", "0.67647058823529416");
 const std::vector<SchemeCase> cases{
     {"forward euler", "", "forward_euler", 1},
-    {"backward euler", "", "backward_euler", 1},
-    {"trapezoidal", "", "trapezoidal"},
-    {"midpoint", "", "midpoint"},
-    {"variational midpoint", "", "variational_midpoint"},
-    {"generalised alpha", number("spectral radius", "0.7"), "gen_alpha"},
-    {"generalised alpha", four_numbers, "gen_alpha_betamin"},
+    {"backward euler", "", "backward_euler", 1, 0, 0, 48.8340278},
+    {"trapezoidal", "", "trapezoidal", 2, 15830.857, 16278.232},
+    {"midpoint", "", "midpoint", 2, 16278.0717, 16508.8578},
+    {"variational midpoint", "", "variational_midpoint", 2, 16278.0717, 16508.8578},
+    {"generalised alpha", number("spectral radius", "0.7"), "gen_alpha", 2, 0, 0, 10974.159},
+    {"generalised alpha", four_numbers, "gen_alpha_betamin", 2, 0, 0, 12095.878},
     {"generalised alpha", number("spectral radius", "0.7") + word("forces", "mean"), "gen_alpha_trapF"},
     {"energy momentum", "", "ems"},
 };
@@ -52,9 +54,9 @@ std::array<double, 3> end_position(const MarchedScene& run) {
 }
 
 /// End position and energies of a run against the independent ones.
-void expect_reference(const SpringPendulum& deck, const nlohmann::json& known, const std::string& label) {
+std::vector<double> expect_reference(const SpringPendulum& deck, const nlohmann::json& known, const std::string& label) {
   const MarchedScene run{deck};
-  ASSERT_EQ(run.summary.code, ExitCode::done) << label << run.summary.cause << run.log;
+  EXPECT_EQ(run.summary.code, ExitCode::done) << label << run.summary.cause << run.log;
   const auto energy = run["total_energy"];
   const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
   const double E_0 = known.at("E0");
@@ -65,6 +67,7 @@ void expect_reference(const SpringPendulum& deck, const nlohmann::json& known, c
   const auto q = end_position(run);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(q[i], known.at("q_end").at(i).get<double>(), 1e-10) << label;
   EXPECT_LE(run.relative_mismatch(), 1e-11) << label;
+  return energy;
 }
 
 TEST_P(SpringPendulumBy, EndsWhereTheReferenceDoesWithItsEnergies) {
@@ -77,7 +80,19 @@ TEST_P(SpringPendulumBy, EndsWhereTheReferenceDoesWithItsEnergies) {
     SpringPendulum deck = pendulum();
     deck.stiffness = stiffness;
     deck.step = step;
-    expect_reference(deck, values, label);
+    const auto energy = expect_reference(deck, values, label);
+    if (stiffness == "1000") continue;
+    const auto [least, most] = std::minmax_element(energy.begin(), energy.end());
+    const SchemeCase& known_digits = GetParam();
+    if (known_digits.least > 0) {
+      EXPECT_NEAR(*least, known_digits.least, known_digits.least > 16000 ? 5e-5 : 5e-4) << label;
+    }
+    if (known_digits.most > 0) {
+      EXPECT_NEAR(*most, known_digits.most, known_digits.least > 16000 ? 5e-5 : 5e-4) << label;
+    }
+    if (known_digits.end > 0) {
+      EXPECT_NEAR(energy.back(), known_digits.end, known_digits.end < 100 ? 5e-8 : 5e-4) << label;
+    }
   }
 }
 
@@ -161,23 +176,6 @@ TEST_F(SpringPendulumAlone, KeepsItsEnergyAtBothStepsByEnergyMomentum) {
   }
 }
 
-TEST_F(SpringPendulumAlone, MeetsTheErrataPageInEnergy) {
-  const auto energies = [](const std::string& scheme, const std::string& parameters = "") {
-    SpringPendulum deck;
-    deck.scheme = scheme;
-    deck.parameters = parameters;
-    return MarchedScene{deck}["total_energy"];
-  };
-  EXPECT_NEAR(energies("backward euler").back(), 48.8340278, 5e-8);
-  for (const char* scheme : {"midpoint", "variational midpoint"}) {
-    const auto E = energies(scheme);
-    EXPECT_NEAR(*std::min_element(E.begin(), E.end()), 16278.0717, 5e-5);
-    EXPECT_NEAR(*std::max_element(E.begin(), E.end()), 16508.8578, 5e-5);
-  }
-  EXPECT_NEAR(energies("generalised alpha", number("spectral radius", "0.7")).back(), 10974.159, 5e-4);
-  EXPECT_NEAR(energies("generalised alpha", four_numbers).back(), 12095.878, 5e-4);
-}
-
 /// At dt = 0.01 of the stiff spring the equations have several roots: blow-up or not is what can be compared.
 TEST_F(SpringPendulumAlone, BlowsUpByMidpointAtGreatSteps) {
   SpringPendulum deck;
@@ -188,7 +186,8 @@ TEST_F(SpringPendulumAlone, BlowsUpByMidpointAtGreatSteps) {
   EXPECT_TRUE(run.summary.code != ExitCode::done || *std::max_element(E.begin(), E.end()) > 2 * 16278.125);
 }
 
-/// Case D4 of the stiff pendulum: 2000 steps at dt = 0.2, about 3 periods of the spring each.
+/// The stiff pendulum at dt = 0.2, about 3 periods of the spring, for 2000 steps. Newton, which starts from the old state, does
+/// not find every step: those are cut.
 SpringPendulum hard_case(const std::string& scheme) {
   SpringPendulum deck;
   deck.scheme = scheme;
@@ -196,6 +195,7 @@ SpringPendulum hard_case(const std::string& scheme) {
   deck.at = "{1.01, 0, 0}";
   deck.velocity = "{0, 1, 0}";
   deck.step = "0.2";
+  deck.smallest_step = "1e-3";
   deck.end = "400";
   return deck;
 }
@@ -204,6 +204,7 @@ TEST_F(SpringPendulumAlone, KeepsItsEnergyFor2000GreatStepsByEnergyMomentum) {
   const MarchedScene run{hard_case("energy momentum")};
   ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
   const auto E = run["total_energy"];
+  EXPECT_GE(E.size(), 2000U);
   for (double now : E) EXPECT_NEAR(now, E.front(), 1e-10 * E.front());
   const auto dissipated = run["algorithmic_dissipation"];
   EXPECT_LE(std::abs(dissipated.back()), 1e-11 * E.front());
@@ -211,7 +212,9 @@ TEST_F(SpringPendulumAlone, KeepsItsEnergyFor2000GreatStepsByEnergyMomentum) {
 
 TEST_F(SpringPendulumAlone, LosesItsEnergyForGreatStepsByMidpointAndTrapezoid) {
   for (const char* scheme : {"midpoint", "trapezoidal"}) {
-    const MarchedScene run{hard_case(scheme)};
+    SpringPendulum deck = hard_case(scheme);
+    deck.smallest_step = deck.step;
+    const MarchedScene run{deck};
     const auto E = run["total_energy"];
     EXPECT_TRUE(run.summary.code != ExitCode::done || *std::max_element(E.begin(), E.end()) > 2 * E.front()) << scheme;
   }

@@ -87,7 +87,7 @@ const std::vector<Fault> faults{
     {"SpringWithoutStiffness", with_spring(from + to), {"error[D07]", "required \"stiffness\" is missing"}},
     {"SpringWithNegativeLength",
      with_spring(from + to + stiff + number("rest length", "-1")),
-     {"error[D08]", "\"rest length\" = -1 length - must be > 0"}},
+     {"error[D08]", "\"rest length\" = -1 - must be > 0"}},
     {"SpringOfAnUnknownLaw",
      with_spring(from + to + stiff + word("law", "hooke")),
      {"error[D10]", "allowed: saint venant, neo-hookean, logarithmic"}},
