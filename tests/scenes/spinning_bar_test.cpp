@@ -94,7 +94,9 @@ TEST_P(SpinningBar, KeepsTheExtensionOfItsClosedForm) {
   EXPECT_LE(greatest(table["angular_momentum_mismatch"]), 1e-11 * greatest(J));
   std::cout << bar.name << ": w " << w << ", u(L) " << u << ", closed form " << exact << ", of the linear law "
             << extension(linear, w) << ", radius varies by " << most / least - 1 << '\n';
-  if (w < 2) EXPECT_NEAR(u, extension(linear, w), 0.01 * exact);
+  if (w < 2) {
+    EXPECT_NEAR(u, extension(linear, w), 0.01 * exact);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, SpinningBar,
