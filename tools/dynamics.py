@@ -221,7 +221,9 @@ WALL_CASES = (("newmark", "position", {"allow unstable": ("bool", "true")}), ("t
               ("backward euler", "position", {}), ("generalised alpha", "position", {"spectral radius": ("double", "0.8")}),
               ("generalised alpha", "persistent", {"spectral radius": ("double", "0.8")}),
               ("hht", "position", {"alpha": ("double", "0.1")}), ("midpoint", "position", {}),
-              ("energy momentum", "position", {}), ("energy momentum", "modified", {}), ("energy momentum", "persistent", {}))
+              ("energy momentum", "position", {}), ("energy momentum", "modified", {}), ("energy momentum", "persistent", {}),
+              ("newmark", "position", {"mass": "lumped off contact"}), ("trapezoidal", "position", {"mass": "lumped off contact"}),
+              ("energy momentum", "position", {"mass": "lumped off contact"}))
 
 
 def rms(values):
@@ -233,14 +235,17 @@ def wall():
         for courant in (0.5, 1.0, 2.0):
             deck, dt = Deck("bar_on_wall/persistent"), courant * WAVE_STEP
             deck.put("time", "scheme", "string", scheme)
-            for name, (kind, value) in parameters.items():
-                deck.put("time", name, kind, value)
+            for name, value in parameters.items():
+                if name == "mass":
+                    deck.put("bodies/bar", name, "string", value)
+                else:
+                    deck.put("time", name, *value)
             deck.put("obstacles/wall", "closing", "string", closing)
             deck.set_steps(dt, round(1.6 / dt))
             code, history, _ = deck.run()
             inside = [k for k, t in enumerate(history["time"]) if TOUCH + 2 * dt < t < LEAVE - 2 * dt]
             pressure = [history["contact_force_x.wall"][k] / AREA / PRESSURE for k in inside]
-            yield {"scheme": scheme, "closing": closing, "CFL": f"{courant:g}",
+            yield {"scheme": scheme, "closing": closing, "mass": parameters.get("mass", "lumped"), "CFL": f"{courant:g}",
                    "greatest_pressure": f"{max(history['contact_force_x.wall']) / AREA / PRESSURE:.2f}", "rms_error": rms(pressure),
                    "rms_error_of_two_step_means": rms([0.5 * (a + b) for a, b in zip(pressure, pressure[1:])]),
                    "openings": f"{sum(history['active'][k] == 0 for k in inside)} of {len(inside)}",

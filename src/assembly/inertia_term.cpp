@@ -11,6 +11,9 @@ InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const Do
       mass_of_element_(*body_term.body().density * scene.size * scene.size * scene.size) {
   const Mesh& mesh = scene.mesh.mesh;
   const Body& body = body_term.body();
+  std::vector<char> is_contact_node(mesh.coordinates.size(), 0);
+  for (const ContactNodes* contact : scene.contacts())
+    for (int node : contact->secondary_nodes) is_contact_node[node] = !contact->is_two_sided;
   const auto add_block = [&](const auto& block) {
     using Shape = typename std::decay_t<decltype(block)>::Element;
     for (std::size_t e = 0; e < block.size(); ++e) {
@@ -24,10 +27,29 @@ InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const Do
       }
       const auto M = mass_over_density<Shape>(body.mass_kind, X);
       for (double entry : M) element.M.push_back(*body.density * entry);
+      if (body.mass_kind == MassKind::redistributed) empty_contact_nodes(element, is_contact_node);
       elements_.push_back(std::move(element));
     }
   };
   for (const auto& block : body_term.blocks()) std::visit(add_block, block);
+}
+
+// Mass redistribution (Khenous, Laborde & Renard 2008) element by element, of a diagonal matrix.
+void InertiaTerm::empty_contact_nodes(Element& element, const std::vector<char>& is_contact_node) {
+  const std::size_t n = element.nodes.size();
+  double moved = 0;
+  std::vector<std::size_t> others;
+  for (std::size_t a = 0; a < n; ++a) {
+    if (is_contact_node[element.nodes[a]]) {
+      moved += element.M[a * n + a];
+    } else {
+      others.push_back(a);
+    }
+  }
+  if (others.empty()) return;  // it must be somewhere
+  for (std::size_t a = 0; a < n; ++a)
+    if (is_contact_node[element.nodes[a]]) element.M[a * n + a] = 0;
+  for (std::size_t a : others) element.M[a * n + a] += moved / static_cast<double>(others.size());
 }
 
 InertiaTerm::InertiaTerm(const PointMasses& masses, const DofSpace& dofs)

@@ -40,6 +40,7 @@ class InertiaTerm {
     std::vector<int> nodes, local;
     std::vector<double> M;  // over nodes, row-major [kg]
   };
+  static void empty_contact_nodes(Element& element, const std::vector<char>& is_contact_node);
   const std::vector<int>* nodes_;
   const std::optional<InitialOptions>* initial_;
   double mass_of_element_;

@@ -137,6 +137,11 @@ RCP<Matrix> StepProblem::mass_matrix() {
   identity_rows_.assign(dofs_.n_owned(), 0);
   for (int k = dofs_.n_owned_positions(); k < dofs_.n_owned(); ++k) identity_rows_[k] = 1;
   for (const auto& [dof, unused] : prescribed_) identity_rows_[dof] = 1;
+  Vector ones(dofs_.owned_map());
+  ones.putScalar(1.0);
+  const auto mass = momenta(ones);
+  for (int k = 0; k < dofs_.n_owned_positions(); ++k)
+    if (data(*mass)[k] == 0) identity_rows_[k] = 1;  // a node without mass
   tangent_ = matrix_->assemble();
   put_identity_rows();
   return tangent_;

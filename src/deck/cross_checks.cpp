@@ -229,7 +229,7 @@ class CrossChecks {
                "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " + scheme);
     }
     const bool has_contact = !contact_names().empty();
-    if (const std::string fault = instability(options_.time.scheme, has_contact); !fault.empty())
+    if (const std::string fault = instability(options_.time.scheme, has_contact && !is_redistributed()); !fault.empty())
       report("D19", {"time", "scheme"}, fault);
     if (!options_.contact.empty() && std::holds_alternative<schemes::EnergyMomentum>(options_.time.scheme))
       report("D19", {"time", "scheme"},
@@ -237,6 +237,12 @@ class CrossChecks {
     if (std::holds_alternative<schemes::ForwardEuler>(options_.time.scheme) &&
         (has_contact || !options_.supports.empty() || !plane_strain_supports().empty()))
       report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
+  }
+
+  /// Whether no mass stands at nodes that touch.
+  bool is_redistributed() const {
+    return std::all_of(options_.bodies.begin(), options_.bodies.end(),
+                       [](const auto& body) { return body.second.mass == MassKind::redistributed; });
   }
 
   /// Which formulations know the forces of a scheme.

@@ -7,11 +7,13 @@
 namespace mortise {
 
 /// Mass matrix of an element: by a rule that is exact for straight edges, by the rule of its stiffness (the thesis' 2 x 2 x 2
-/// points for hex8), or lumped to the diagonal.
-enum class MassKind { consistent, stiffness_rule, lumped };
+/// points for hex8), lumped to the diagonal, or lumped off the nodes that have contact pressures (mass redistribution).
+enum class MassKind { consistent, stiffness_rule, lumped, redistributed };
 
-inline const Choices<MassKind> mass_names{
-    {"consistent", MassKind::consistent}, {"consistent 2x2x2", MassKind::stiffness_rule}, {"lumped", MassKind::lumped}};
+inline const Choices<MassKind> mass_names{{"consistent", MassKind::consistent},
+                                          {"consistent 2x2x2", MassKind::stiffness_rule},
+                                          {"lumped", MassKind::lumped},
+                                          {"lumped off contact", MassKind::redistributed}};
 
 /// Damping force (a M + b K_0) v of a body.
 struct RayleighOptions {

@@ -77,7 +77,10 @@ void describe(Fields& f, BodyOptions& o) {
            "step of the element's force as a whole (slower, the same numbers), or differences (slower and inexact)");
   f.choice("mass", o.mass, mass_names, Presence::optional,
            "consistent: by a rule that is exact for straight edges; consistent 2x2x2: by the rule of the stiffness, for hex8 the "
-           "thesis' 2 x 2 x 2 points (not for tetrahedra, whose rule has too few); lumped: diagonal, positive for every element. "
+           "thesis' 2 x 2 x 2 points (not for tetrahedra, whose rule has too few); lumped: diagonal, positive for every element; "
+           "lumped off "
+           "contact: the same, with nothing at nodes that have contact pressures (what they had goes to the other nodes of their "
+           "elements), so that no mass has to be stopped when they touch. "
            "Has a meaning in dynamics and with \"rayleigh mass\"");
   describe(f, o.rayleigh);
   f.rule("D19", {"rayleigh stiffness", "formulation"}, o.rayleigh.stiffness == 0 || o.formulation != FormulationKind::mixed,

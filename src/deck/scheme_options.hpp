@@ -136,7 +136,8 @@ void describe(Fields& f, GeneralisedAlpha& o) {
   const int given = o.alpha_m.has_value() + o.alpha_f.has_value() + o.beta.has_value() + o.gamma.has_value();
   f.rule("D07", {"alpha m", "alpha f", "beta", "gamma"}, given == 0 || given == 4,
          "needs \"alpha m\", \"alpha f\", \"beta\" and \"gamma\"");
-  f.only_with({"alpha m", "alpha f", "beta", "gamma"}, "spectral radius", !o.spectral_radius, "no \"spectral radius\"");
+  f.rule("D19", {"spectral radius"}, !o.spectral_radius || given == 0,
+         "cannot stand beside \"alpha m\", \"alpha f\", \"beta\" or \"gamma\", which it gives");
   describe_forces(f, o);
 }
 

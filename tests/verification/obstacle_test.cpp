@@ -47,6 +47,28 @@ INSTANTIATE_TEST_SUITE_P(Obstacles, EveryClosing,
                                          ClosingCase{"backward euler", "position", false},
                                          ClosingCase{"generalised alpha", "position", false}));
 
+// Nothing has to be stopped when it touches: the pressure is that of the wave without alternating, and the energy does not grow.
+TEST(MassRedistribution, GivesAnAverageAccelerationThatIsStableInContact) {
+  FlyingBar bar;
+  bar.scheme = "newmark";
+  bar.closing = "position";
+  const std::string deck = with(std::string(bar), "\"lumped\"", "\"lumped off contact\"");
+  const MarchedScene run(deck);
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.log;
+  const auto time = run["time"], force = run["contact_force_x.wall"], energy = run["total_energy"];
+  EXPECT_LE(greatest_of(energy), (1 + 1e-9) * energy.front());
+  EXPECT_GE(energy.back(), 0.99 * energy.front());  // of 20 elements
+  int n = 0;
+  for (std::size_t k = 0; k < time.size(); ++k)
+    if (time[k] > 0.65 && time[k] < 1.1) {
+      EXPECT_NEAR(force[k], 300 * 0.25, 0.05 * 300 * 0.25) << time[k];
+      ++n;
+    }
+  EXPECT_GT(n, 20);
+  EXPECT_LE(run.relative_mismatch(), 1e-13);
+  EXPECT_NEAR(run["linear_momentum_x"].front(), -10 * 10 * 0.25, 1e-12);
+}
+
 TEST(Obstacle, OfPositionsIsNeverEntered) {
   FlyingBar bar;
   bar.closing = "position";

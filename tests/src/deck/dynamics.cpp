@@ -92,7 +92,7 @@ const std::vector<Refused> refused{
      dynamic("generalised alpha", parameter("spectral radius", "double", "0.5") + parameter("alpha m", "double", "0.1") +
                                       parameter("alpha f", "double", "0.2") + parameter("beta", "double", "0.4") +
                                       parameter("gamma", "double", "0.6")),
-     "D13", "no \"spectral radius\""},
+     "D19", "cannot stand beside"},
     {"UnstableNumbers", dynamic("newmark", parameter("beta", "double", "0.1")), "D19", "allow unstable"},
     {"AverageAccelerationWithContact", before_time(dynamic("newmark"), "obstacles", "floor", plane), "D19", "3 to 23 times"},
     {"ExplicitWithSupports", dynamic("forward euler"), "D19", "it is explicit"},
