@@ -137,7 +137,8 @@ def draw_paths(runs, columns, file):
         left.plot(run[names[0]], run[names[1]], color=COLOURS[0], marker="o" if len(run["time"]) <= plots.FEW_ROWS else None)
         left.set_xlabel(plots.in_words(names[0]))
         left.set_ylabel(plots.in_words(names[1]))
-        left.set_aspect("equal", adjustable="datalim")
+        if names[0] != "time":
+            left.set_aspect("equal", adjustable="datalim")
         left.set_title(run.label, fontsize=9, loc="left")
         plots.draw_lines(right, energies(run))
     figure.legend(*grid[0][1].get_legend_handles_labels(), loc="upper right", ncol=3)
