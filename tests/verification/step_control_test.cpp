@@ -56,6 +56,33 @@ TEST(ErrorControl, KeepsTheErrorNearTheToleranceAndTakesFewerSteps) {
   EXPECT_LT(errors[1], 1e-3);
 }
 
+// Velocities, accelerations, the ledger and what sizes the next step are all in the checkpoint.
+TEST(DynamicRestart, GoesOnBitForBit) {
+  if (world()->getSize() > 1) GTEST_SKIP() << "bit for bit on one rank only";
+  std::vector<std::string> decks;
+  FreeBar bar;
+  bar.scheme = "generalised alpha";
+  bar.parameters = number("error tolerance", "1e-4") + number("largest step", "0.1");
+  decks.push_back(bar);
+  FlyingBar flying;
+  flying.end = "0.8";
+  for (const char* closing : {"modified", "persistent"}) {
+    flying.closing = closing;
+    decks.push_back(flying);
+  }
+  for (const std::string& deck : decks) {
+    const MarchedScene whole(deck);
+    ASSERT_EQ(whole.summary.code, ExitCode::done) << whole.log;
+    const int n = static_cast<int>(whole["time"].size());
+    ASSERT_GT(n, 8);
+    const MarchedScene begun(deck, world(), 3 * n / 4), resumed(deck, world(), to_the_end, &begun);
+    EXPECT_EQ(resumed.summary.code, ExitCode::done) << resumed.log;
+    EXPECT_EQ(resumed.unknowns(), whole.unknowns());
+    for (const char* column : {"dt", "total_energy", "algorithmic_dissipation", "contact_work", "angular_momentum_mismatch"})
+      EXPECT_EQ(resumed[column], whole[column]) << column;
+  }
+}
+
 TEST(TouchStep, ShortensTheStepInWhichABarTouches) {
   FlyingBar bar;
   bar.closing = "position";
