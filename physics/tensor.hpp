@@ -1,6 +1,7 @@
 // Vectors and second-order tensors in three dimensions, over any scalar: double, a forward-AD type, complex numbers.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <complex>
 #include <type_traits>
@@ -24,6 +25,9 @@ struct Vec3 {
   T& operator[](int i) { return v[i]; }
   const T& operator[](int i) const { return v[i]; }
 };
+
+/// A vector from its components, as decks and meshes have them.
+inline Vec3<double> vec3(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 template <class T>
 Vec3<T> operator+(const Vec3<T>& a, const Vec3<T>& b) {

@@ -11,13 +11,11 @@
 namespace mortise {
 namespace {
 
-Vec3<double> vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
 ObstacleShape shape(const obstacles::Plane& o) {
-  const Vec3<double> n = vector_of(o.normal);
-  return shapes::Plane{vector_of(o.point), (1 / norm(n)) * n};
+  const Vec3<double> n = vec3(o.normal);
+  return shapes::Plane{vec3(o.point), (1 / norm(n)) * n};
 }
-ObstacleShape shape(const obstacles::Sphere& o) { return shapes::Sphere{vector_of(o.centre), o.radius}; }
+ObstacleShape shape(const obstacles::Sphere& o) { return shapes::Sphere{vec3(o.centre), o.radius}; }
 
 class ObstacleMaker {
  public:
@@ -41,7 +39,7 @@ class ObstacleMaker {
       rod.tributary_area = {scene_.size * scene_.size};
       rod.is_two_sided = true;
       const Point& X = scene_.mesh.mesh.coordinates[*node];
-      const Vec3<double> anchor = vector_of(o.anchor), arm = Vec3<double>{X[0], X[1], X[2]} - anchor;
+      const Vec3<double> anchor = vec3(o.anchor), arm = vec3(X) - anchor;
       rod.shape = shapes::Sphere{anchor, o.length.value_or(norm(arm))};
       if (norm(arm) > 0) {
         add(std::move(rod), {"rods", name});

@@ -8,16 +8,10 @@ Usage: cook.py reference OUT.json                     deflections of Q2P1 on ref
 
 import csv
 import json
-import os
 import pathlib
-import subprocess
 import sys
-import tempfile
-from xml.etree import ElementTree
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build" / "release" / "mortise"
-DECK = ROOT / "inputs" / "cook" / "f_bar.xml"  # the others differ by what `deck` changes
+from decks import Deck
 
 RATIOS = ("0.3", "0.49", "0.499", "0.4999", "0.5")
 # Name -> element type, formulation, and one element of it on how many nodes' distances along a side.
@@ -36,57 +30,25 @@ REFINED = "0.4999"   # the Poisson's ratio at which it takes all of them
 REFERENCE_SIDES = (8, 16, 32)  # elements along a side of the reference
 
 
-def deck(element, formulation, ratio, n):
-    """The text of a deck with n elements along each side of the panel."""
-    tree = ElementTree.parse(DECK)
-
-    def entry(path):
-        here = tree.getroot()
-        for name in path.split("/"):
-            here = here.find(f"ParameterList[@name='{name}']")
-        return here
-
-    def put(path, name, kind, value):
-        parameter = entry(path).find(f"Parameter[@name='{name}']")
-        if parameter is None:
-            parameter = ElementTree.SubElement(entry(path), "Parameter", name=name)
-        parameter.set("type", kind)
-        parameter.set("value", value)
-
-    put("meshes/panel", "elements", "Array(int)", f"{{{n}, {n}, 1}}")
-    put("meshes/panel", "element type", "string", element)
-    put("bodies/panel", "formulation", "string", formulation)
-    rubber = entry("materials/rubber")
+def deflection(element, formulation, ratio, n):
+    """Displacement of the tip along y at the end of a run with n elements along each side of the panel."""
+    deck = Deck("cook/f_bar")  # the others differ by what is put here
+    deck.put("meshes/panel", "elements", "Array(int)", f"{{{n}, {n}, 1}}")
+    deck.put("meshes/panel", "element type", "string", element)
+    deck.put("bodies/panel", "formulation", "string", formulation)
     if ratio == "0.5":
-        put("materials/rubber", "model", "string", "neo-hookean incompressible")
-        rubber.remove(rubber.find("Parameter[@name='poissons ratio']"))
+        deck.put("materials/rubber", "model", "string", "neo-hookean incompressible")
+        deck.drop("materials/rubber", "poissons ratio")
     else:
-        put("materials/rubber", "poissons ratio", "double", ratio)
-    expected = tree.getroot().find("ParameterList[@name='expected']")
-    if expected is not None:
-        tree.getroot().remove(expected)
-    return ElementTree.tostring(tree.getroot(), encoding="unicode")
-
-
-def deflection(text):
-    """Displacement of the tip along y at the end of a run. Ends the tool where the run fails."""
-    environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
-                   "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-    with tempfile.TemporaryDirectory() as folder:
-        folder = pathlib.Path(folder)
-        (folder / "deck.xml").write_text(text, encoding="utf-8")
-        done = subprocess.run([PROGRAM, "run", "deck.xml", "-o", "out", "--quiet"], cwd=folder, env=environment, text=True,
-                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        if done.returncode != 0:
-            sys.exit(f"cook: a run ended with exit code {done.returncode}\n{done.stdout[-2000:]}")
-        with open(folder / "out" / "history.csv", encoding="utf-8", newline="") as stream:
-            return float(list(csv.DictReader(stream))[-1]["displacement_y.tip"])
+        deck.put("materials/rubber", "poissons ratio", "double", ratio)
+    _, history, _ = deck.run()
+    return history["displacement_y.tip"][-1]
 
 
 def make_reference(file):
     values = {}
     for ratio in RATIOS:
-        found = [deflection(deck("hex27", "mixed", ratio, n)) for n in REFERENCE_SIDES]
+        found = [deflection("hex27", "mixed", ratio, n) for n in REFERENCE_SIDES]
         values[ratio] = {"deflection": found[-1], "change": abs(found[-1] / found[-2] - 1), "deflections": found}
         print(f"nu = {ratio}: {found}, last change {values[ratio]['change']:.1e}", flush=True)
     record = {"what": "displacement along y of (48, 52), the middle of the sheared side, of inputs/cook, by hex27 with a linear pressure (Q2P1)",
@@ -104,7 +66,7 @@ def study(file):
                 if ratio == "0.5" and formulation != "mixed":
                     continue  # only a pressure of its own holds the volume exactly
                 for side in SIDES if ratio == REFINED else SIDES[-1:]:
-                    table.writerow([name, ratio, side, f"{deflection(deck(element, formulation, ratio, side // distances)):.8f}"])
+                    table.writerow([name, ratio, side, f"{deflection(element, formulation, ratio, side // distances):.8f}"])
                     stream.flush()
 
 

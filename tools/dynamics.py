@@ -9,75 +9,18 @@ Usage: dynamics.py tumbling OUT.csv     inputs/tumbling_block: energy momentum f
 """
 
 import csv
-import json
 import math
-import os
-import pathlib
 import statistics
-import subprocess
 import sys
-import tempfile
-from xml.etree import ElementTree
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
-PROGRAM = ROOT / "build" / "release" / "mortise"
+from decks import Deck
+
+ENDS = (0, 4)  # exit codes that a study goes on from; 4: no step converged
 
 SCHEMES = ("midpoint", "trapezoidal", "backward euler", "generalised alpha", "energy momentum", "energy momentum midpoint contact")
 MATERIALS = ("neo_hookean", "saint_venant_kirchhoff", "mooney_rivlin", "ogden")
 TOLERANCES = ("1e-1", "1e-2", "1e-4", "1e-6", "1e-8", "1e-10")
 REPEATS = 7  # of what is timed, the schemes by turns
-
-
-class Deck:
-    """A deck of inputs/, to be changed and run."""
-
-    def __init__(self, name):
-        self.root = ElementTree.parse(ROOT / "inputs" / f"{name}.xml").getroot()
-        self.remove("expected")
-
-    def entry(self, path):
-        """The list at a path, made where it is missing."""
-        here = self.root
-        for name in path.split("/"):
-            inner = here.find(f"ParameterList[@name='{name}']")
-            here = ElementTree.SubElement(here, "ParameterList", name=name) if inner is None else inner
-        return here
-
-    def put(self, path, name, kind, value):
-        parameter = self.entry(path).find(f"Parameter[@name='{name}']")
-        if parameter is None:
-            parameter = ElementTree.SubElement(self.entry(path), "Parameter", name=name)
-        parameter.set("type", kind)
-        parameter.set("value", str(value))
-
-    def get(self, path, name):
-        return self.entry(path).find(f"Parameter[@name='{name}']").get("value")
-
-    def remove(self, name):
-        inner = self.root.find(f"ParameterList[@name='{name}']")
-        if inner is not None:
-            self.root.remove(inner)
-
-    def set_steps(self, dt, n):
-        for name in ("step", "smallest step"):
-            self.put("time", name, "double", dt)
-        self.put("time", "end", "double", dt * n)
-
-    def run(self):
-        """Exit code, history as columns, summary."""
-        environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMPI_MCA_hwloc_base_binding_policy": "none",
-                       "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        with tempfile.TemporaryDirectory() as folder:
-            folder = pathlib.Path(folder)
-            (folder / "deck.xml").write_text(ElementTree.tostring(self.root, encoding="unicode"), encoding="utf-8")
-            done = subprocess.run([PROGRAM, "run", "deck.xml", "-o", "out", "--quiet"], cwd=folder, env=environment, text=True,
-                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-            if done.returncode not in (0, 4):  # 4: no step converged
-                sys.exit(f"dynamics: a run ended with exit code {done.returncode}\n{done.stdout[-2000:]}")
-            with open(folder / "out" / "history.csv", encoding="utf-8", newline="") as stream:
-                rows = list(csv.reader(stream))
-            history = {name: [float(row[k]) for row in rows[1:]] for k, name in enumerate(rows[0])}
-            return done.returncode, history, json.loads((folder / "out" / "summary.json").read_text(encoding="utf-8"))
 
 
 def greatest(values):
@@ -114,7 +57,7 @@ def tumbling():
         deck = Deck(f"tumbling_block/{name}")
         deck.put("time", "scheme", "string", scheme)
         deck.set_steps(float(deck.get("time", "step")), steps)
-        code, history, _ = deck.run()
+        code, history, _ = deck.run(ENDS)
         yield {"deck": name, "scheme": scheme, **kept(history, end_of_loads(deck)), "ended": "as asked" if code == 0 else "no step converged"}
     for name in MATERIALS[1:]:  # the other laws at the great step
         deck, gentle = Deck(f"tumbling_block/{name}"), Deck("tumbling_block/large_steps")
@@ -124,7 +67,7 @@ def tumbling():
             deck.put(path, "end", "double", gentle.get(path, "end"))
         deck.put("initial conditions/block", "velocity", "Array(double)", gentle.get("initial conditions/block", "velocity"))
         deck.set_steps(float(gentle.get("time", "step")), 1000)
-        code, history, _ = deck.run()
+        code, history, _ = deck.run(ENDS)
         yield {"deck": f"large_steps of {name}", "scheme": "energy momentum", **kept(history, end_of_loads(deck)),
                "ended": "as asked" if code == 0 else "no step converged"}
 
@@ -133,7 +76,7 @@ def tolerances():
     for tolerance in TOLERANCES:
         deck = Deck("tumbling_block/neo_hookean")
         deck.put("solver", "tolerance", "double", tolerance)
-        code, history, _ = deck.run()
+        code, history, _ = deck.run(ENDS)
         found = kept(history, end_of_loads(deck))
         yield {"tolerance": tolerance, **found, "residual_work": f"{greatest(history['residual_work']) / float(found['E0']):.1e}"}
 
@@ -145,12 +88,11 @@ def gentle_block(scheme):
         for component in "xyz":
             deck.put(path, component, "string", f"0.1*({deck.get(path, component)})")
     deck.put("time", "scheme", "string", scheme)
-    if scheme == "static":  # held, or it would fly away; it needs no start
-        deck.remove("initial conditions")
     return deck
 
 
 def held_block(scheme):
+    """The same, clamped at rest, so that statics can be beside dynamics."""
     deck = gentle_block(scheme)
     deck.remove("initial conditions")
     for axis in "xyz":
@@ -165,7 +107,7 @@ def cost():
     summaries = {}
     for _ in range(REPEATS):
         for scheme in SCHEMES:
-            _, _, summary = gentle_block(scheme).run()
+            _, _, summary = gentle_block(scheme).run(ENDS)
             stages = summary["seconds"]
             seconds[scheme].append((stages["cpu_of_rank_0"] / summary["steps"], stages["elements"] / summary["newton_iterations"]))
             summaries[scheme] = summary
@@ -178,7 +120,7 @@ def cost():
                "of_midpoint": f"{statistics.median(a / b for a, b in zip(per_step, of_midpoint)):.2f}",
                "elements_per_iteration_of_midpoint": f"{statistics.median(a / b for a, b in zip(elements, elements_of_midpoint)):.2f}"}
     for scheme in ("static", *SCHEMES):
-        _, _, summary = held_block(scheme).run()
+        _, _, summary = held_block(scheme).run(ENDS)
         yield {"scene": "held block", "scheme": scheme, **counts(summary), "ms_per_step": "", "of_midpoint": "",
                "elements_per_iteration_of_midpoint": ""}
 
@@ -199,7 +141,7 @@ def impact():
             deck = Deck("bars_impact/energy_momentum")
             deck.put("time", "scheme", "string", scheme)
             deck.set_steps(dt, round(5e-4 / dt))
-            _, history, _ = deck.run()
+            _, history, _ = deck.run(ENDS)
             time, force = history["time"], [abs(f) for f in history["contact_force_x.ends"]]
             E0, closed = history["total_energy"][0], [k for k, f in enumerate(force) if f > 0]
             begin, end = time[closed[0] - 1], time[closed[-1]]
@@ -242,7 +184,7 @@ def wall():
                     deck.put("time", name, *value)
             deck.put("obstacles/wall", "closing", "string", closing)
             deck.set_steps(dt, round(1.6 / dt))
-            code, history, _ = deck.run()
+            code, history, _ = deck.run(ENDS)
             inside = [k for k, t in enumerate(history["time"]) if TOUCH + 2 * dt < t < LEAVE - 2 * dt]
             pressure = [history["contact_force_x.wall"][k] / AREA / PRESSURE for k in inside]
             yield {"scheme": scheme, "closing": closing, "mass": parameters.get("mass", "lumped"), "CFL": f"{courant:g}",

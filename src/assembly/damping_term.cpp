@@ -1,6 +1,7 @@
 #include "assembly/damping_term.hpp"
 
 #include "assembly/element_mass.hpp"
+#include "assembly/element_place.hpp"
 
 namespace mortise {
 DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const double* reference, const DofSpace& dofs) {
@@ -11,15 +12,8 @@ DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const do
     using Shape = typename Block::Element;
     constexpr std::size_t n = 3 * Shape::n_nodes, n_global = n + Block::n_pressures;
     for (std::size_t e = 0; e < block.size(); ++e) {
-      Element element;
-      ElementNodes<Shape> X;
-      for (std::size_t a = 0; a < X.size(); ++a) {
-        const int node = block.points(e)[a];
-        element.nodes.push_back(node);
-        element.local.push_back(dofs.local(node));
-        X[a] = mesh.coordinates[node];
-      }
-      element.C.assign(n * n, 0.0);
+      auto place = place_of(block, e, mesh, dofs);
+      Element element{std::move(place.nodes), std::move(place.local), std::vector<double>(n * n, 0.0)};
       if (body.rayleigh.stiffness > 0) {
         std::vector<double> r(n_global), K(n_global * n_global);
         constexpr TangentKind kind = TangentKind::quadrature_point;
@@ -28,11 +22,11 @@ DampingTerm::DampingTerm(const Scene& scene, const BodyTerm& body_term, const do
           for (std::size_t l = 0; l < n; ++l) element.C[k * n + l] = body.rayleigh.stiffness * K[k * n_global + l];
       }
       if (body.rayleigh.mass > 0) {
-        const auto M = mass_over_density<Shape>(body.mass_kind, X);
-        for (std::size_t a = 0; a < X.size(); ++a)
-          for (std::size_t b = 0; b < X.size(); ++b)
+        const auto M = mass_over_density<Shape>(body.mass_kind, place.X);
+        for (int a = 0; a < Shape::n_nodes; ++a)
+          for (int b = 0; b < Shape::n_nodes; ++b)
             for (int i = 0; i < 3; ++i)
-              element.C[(3 * a + i) * n + 3 * b + i] += body.rayleigh.mass * *body.density * M[a * X.size() + b];
+              element.C[(3 * a + i) * n + 3 * b + i] += body.rayleigh.mass * *body.density * M[a * Shape::n_nodes + b];
       }
       elements_.push_back(std::move(element));
     }

@@ -2,6 +2,7 @@
 
 #include "assembly/bar_geometry.hpp"
 #include "assembly/element_mass.hpp"
+#include "assembly/element_place.hpp"
 
 namespace mortise {
 
@@ -17,15 +18,9 @@ InertiaTerm::InertiaTerm(const Scene& scene, const BodyTerm& body_term, const Do
   const auto add_block = [&](const auto& block) {
     using Shape = typename std::decay_t<decltype(block)>::Element;
     for (std::size_t e = 0; e < block.size(); ++e) {
-      Element element;
-      ElementNodes<Shape> X;
-      for (std::size_t a = 0; a < X.size(); ++a) {
-        const int node = block.points(e)[a];
-        element.nodes.push_back(node);
-        element.local.push_back(dofs.local(node));
-        X[a] = mesh.coordinates[node];
-      }
-      const auto M = mass_over_density<Shape>(body.mass_kind, X);
+      auto place = place_of(block, e, mesh, dofs);
+      const auto M = mass_over_density<Shape>(body.mass_kind, place.X);
+      Element element{std::move(place.nodes), std::move(place.local), {}};
       for (double entry : M) element.M.push_back(*body.density * entry);
       if (body.mass_kind == MassKind::redistributed) empty_contact_nodes(element, is_contact_node);
       elements_.push_back(std::move(element));

@@ -79,8 +79,7 @@ void ObstacleTerm::add_force_tangent(double weight, double theta, SystemMatrix& 
 std::vector<Vec3<double>> ObstacleTerm::normals(const double* x) const {
   std::vector<Vec3<double>> out;
   for (int node : obstacle_.secondary_nodes) {
-    const Point& X = mesh_.coordinates[node];
-    const Vec3<double> q = dofs_.local(node) >= 0 ? position(x, node) : Vec3<double>{X[0], X[1], X[2]};
+    const Vec3<double> q = dofs_.local(node) >= 0 ? position(x, node) : vec3(mesh_.coordinates[node]);
     out.push_back(std::visit([&](const auto& shape) { return -1.0 * shape.gradient(q); }, obstacle_.shape));
   }
   return out;

@@ -105,7 +105,8 @@ void StepProblem::find_gaps_before(const Vector& x) {
   NodalSums sums(dofs_);
   Vector unused(dofs_.overlap_map());
   for (auto& contact : contacts_)
-    if (acts(*contact)) contact->integrate(data(*start_x_), false, data(unused), sums);
+    if (acts(*contact) && contact->nodes().closing != Closing::position)
+      contact->integrate(data(*start_x_), false, data(unused), sums);
   start_gap_ = owned_sum(sums.weighted_gap);
   start_area_ = owned_sum(sums.covered_area);
 }
@@ -191,18 +192,18 @@ State StepProblem::initial_state() {
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, depth);
   std::vector<std::string> messages;
   for (const ContactNodes* contact : scene_.contacts()) {
-    const ContactNodes& pair = *contact;
     int n_deep = 0, deepest = -1;
-    for (int k = 0; k < static_cast<int>(pair.secondary_nodes.size()); ++k) {
-      if (!deep[pair.first_multiplier + k]) continue;
+    for (int k = 0; k < static_cast<int>(contact->secondary_nodes.size()); ++k) {
+      if (!deep[contact->first_multiplier + k]) continue;
       ++n_deep;
-      if (deepest < 0 || depth[pair.first_multiplier + k] > (1 + 1e-9) * depth[pair.first_multiplier + deepest]) deepest = k;
+      if (deepest < 0 || depth[contact->first_multiplier + k] > (1 + 1e-9) * depth[contact->first_multiplier + deepest])
+        deepest = k;
     }
     if (n_deep > 0)
       messages.push_back(
           fmt::format("{}{} secondary nodes penetrate at the start, {} by {:.3g} h (h = {:.3g}) - move the mesh apart",
-                      pair.where_penetrating, n_deep, describe_node(scene_.mesh, pair.secondary_nodes[deepest]),
-                      depth[pair.first_multiplier + deepest] / pair.size, pair.size));
+                      contact->where_penetrating, n_deep, describe_node(scene_.mesh, contact->secondary_nodes[deepest]),
+                      depth[contact->first_multiplier + deepest] / contact->size, contact->size));
   }
   if (!messages.empty()) throw MeshError(messages);
   return state;

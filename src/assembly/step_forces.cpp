@@ -42,8 +42,9 @@ std::string StepProblem::begin_step(const State& from, double t) {
 }
 
 RCP<Vector> StepProblem::dead(double t, std::string& fault) const {
+  if (dead_loads_.empty()) return Teuchos::rcp(new Vector(dofs_.owned_map()));
   Vector shares(dofs_.overlap_map());
-  if (!dead_loads_.empty()) dead_loads_.add(time_, t, data(shares), fault);
+  dead_loads_.add(time_, t, data(shares), fault);
   return owned_sum(shares);
 }
 
@@ -100,6 +101,31 @@ void StepProblem::move_supports(const State& from, double t, std::string& fault)
     if (is_mine) prescribed_.emplace_back(dofs_.local(p.node) + p.axis, X[p.axis] + u);
   }
   acting_ = acting;
+}
+
+// Adds the forces of bodies and lines, on the overlap. @return false: a state is inadmissible on this rank
+bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal) {
+  const bool is_algorithmic = scheme_.forces == ForceReading::algorithmic;
+  const double *x = data(overlap_x), *x_theta = data(at_theta), *x_n = is_algorithmic ? data(*start_x_) : nullptr;
+  double* f = data(internal);
+  bool is_good = true;
+  for (auto& body : bodies_) {
+    const bool adds_tangent = with_tangent && !body->has_constant_tangent();
+    if (adds_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
+    // Where the stress is linear in the positions the mean positions give the discrete gradient too.
+    if (is_algorithmic && !body->has_constant_tangent()) {
+      is_good &= adds_tangent ? body->add_algorithmic_tangent(x_n, x, f, *matrix_) : body->add_algorithmic_force(x_n, x, f);
+    } else {
+      is_good &= adds_tangent ? body->add_tangent(x_theta, scheme_.theta, f, *matrix_) : body->add_force(x_theta, f);
+    }
+  }
+  for (const auto& term : stretches_) {
+    if (!term.acts_at(time_)) continue;
+    const double* at = is_algorithmic ? x : x_theta;
+    is_good &=
+        with_tangent ? term.add_tangent(x_n, at, is_algorithmic ? 1 : scheme_.theta, f, *matrix_) : term.add_force(x_n, at, f);
+  }
+  return is_good;
 }
 
 void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {

@@ -7,40 +7,6 @@
 #include "physics/rotation.hpp"
 
 namespace mortise {
-namespace {
-
-Vec3<double> vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
-
-}  // namespace
-
-bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal) {
-  bool is_good = true;
-  for (auto& body : bodies_) {
-    const bool adds_tangent = with_tangent && !body->has_constant_tangent();
-    if (adds_tangent) counts_.element_tangents += static_cast<long>(body->n_elements());
-    // Where the stress is linear in the positions the mean positions give the discrete gradient too.
-    const bool is_discrete_gradient = scheme_.forces == ForceReading::algorithmic && !body->has_constant_tangent();
-    if (is_discrete_gradient) {
-      is_good = (adds_tangent ? body->add_algorithmic_tangent(data(*start_x_), data(overlap_x), data(internal), *matrix_)
-                              : body->add_algorithmic_force(data(*start_x_), data(overlap_x), data(internal))) &&
-                is_good;
-    } else {
-      is_good = (adds_tangent ? body->add_tangent(data(at_theta), scheme_.theta, data(internal), *matrix_)
-                              : body->add_force(data(at_theta), data(internal))) &&
-                is_good;
-    }
-  }
-  const bool is_step = scheme_.forces == ForceReading::algorithmic;
-  const double* x_n = is_step ? data(static_cast<const Vector&>(*start_x_)) : nullptr;
-  const double* x = data(is_step ? overlap_x : at_theta);
-  for (const auto& term : stretches_) {
-    if (!term.acts_at(time_)) continue;
-    is_good = (with_tangent ? term.add_tangent(x_n, x, is_step ? 1 : scheme_.theta, data(internal), *matrix_)
-                            : term.add_force(x_n, x, data(internal))) &&
-              is_good;
-  }
-  return is_good;
-}
 
 double StepProblem::local_error(const State& from, const State& to) const {
   if (from.a.is_null() || !scene_.time.error_tolerance) return 0;
@@ -50,12 +16,17 @@ double StepProblem::local_error(const State& from, const State& to) const {
   return dt * dt / 12 * change.normInf();
 }
 
-bool StepProblem::is_admissible(const Vector& x) const {
+// What the residual looked at already is not looked at again: mean and algorithmic forces know the end of the step.
+bool StepProblem::is_admissible_at_end(const Vector& x) const {
+  const bool is_seen = !scheme_.is_explicit_in_position && (scheme_.theta == 1 || scheme_.forces != ForceReading::at_point);
+  const auto has_been_seen = [&](const BodyTerm& body) {
+    return is_seen && !(scheme_.forces == ForceReading::algorithmic && body.has_constant_tangent());
+  };
   const auto overlap_x = to_overlap(x);
   Vector unused(dofs_.overlap_map());
   int is_good = 1;
   for (const auto& body : bodies_)
-    if (!body->add_force(data(static_cast<const Vector&>(*overlap_x)), data(unused))) is_good = 0;
+    if (!has_been_seen(*body) && !body->add_force(data(static_cast<const Vector&>(*overlap_x)), data(unused))) is_good = 0;
   return all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, is_good) != 0;
 }
 
@@ -109,12 +80,12 @@ void StepProblem::start_motion(State& state) const {
   for (const auto& term : inertias_) {
     if (!term.initial()) continue;
     const InitialOptions& start = *term.initial();
-    const Vec3<double> centre = start.centre ? vector_of(*start.centre) : mass_and_centre(term, *reference_state()).second;
-    const Vec3<double> velocity = vector_of(start.velocity), spin = vector_of(start.angular_velocity);
+    const Vec3<double> centre = start.centre ? vec3(*start.centre) : mass_and_centre(term, *reference_state()).second;
+    const Vec3<double> velocity = vec3(start.velocity), spin = vec3(start.angular_velocity);
     for (int node : term.nodes()) {
       if (!dofs_.owned(node)) continue;
       const Point& X = scene_.mesh.mesh.coordinates[node];
-      Vec3<double> arm = Vec3<double>{X[0], X[1], X[2]} - centre;
+      Vec3<double> arm = vec3(X) - centre;
       const int at = dofs_.local(node);
       if (start.rotation) {
         const auto [ax, ay, az, degrees] = *start.rotation;

@@ -101,9 +101,9 @@ class StepProblem {
   /// statics. For schemes of second order and smooth motion. Collective.
   double local_error(const State& from, const State& to) const;
 
-  /// Whether det F > 0 in all elements at `x`: what the residual does not see where the scheme evaluates it elsewhere.
-  /// Collective.
-  bool is_admissible(const Vector& x) const;
+  /// Whether det F > 0 in all elements where a step has ended: what the residual does not see where the scheme evaluates it
+  /// elsewhere. Collective.
+  bool is_admissible_at_end(const Vector& x) const;
 
   /// The mass matrix with the identity in all rows that have no acceleration to find: of supports and pressures. As `linearise`.
   RCP<Matrix> mass_matrix();

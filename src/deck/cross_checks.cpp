@@ -6,9 +6,11 @@
 #include <set>
 #include <stdexcept>
 
+#include "deck/entries.hpp"
 #include "deck/field_table.hpp"
 #include "deck/fields.hpp"
 #include "deck/formula.hpp"
+#include "deck/motion_checks.hpp"
 #include "deck/names.hpp"
 #include "deck/quantities.hpp"
 #include "errors.hpp"
@@ -16,13 +18,6 @@
 namespace mortise {
 
 namespace {
-
-template <class Options>
-std::vector<std::string> names_in(const Named<Options>& entries) {
-  std::vector<std::string> names;
-  for (const auto& entry : entries) names.push_back(entry.first);
-  return names;
-}
 
 /// The mesh of "mesh/set", or of "mesh".
 std::string mesh_in(const std::string& set) { return set.substr(0, set.find('/')); }
@@ -43,7 +38,7 @@ class CrossChecks {
     check_plane_bodies();
     check_sets();
     check_loads();
-    check_inertia();
+    check_motion(source_, options_, findings_);
     check_contact();
     check_quantities();
     check_times();
@@ -101,19 +96,7 @@ class CrossChecks {
       if (std::find(taken.begin(), taken.end(), name) != taken.end())
         report("D11", {"strings", name}, "this is the name of a body or masses already");
       check_mesh(string.mesh, {"strings", name, "mesh"});
-      if (has_inertia() && !string.density)
-        report("D07", {"strings", name},
-               "required \"density\" is missing: time > \"scheme\" = " + in_quotes(name_of_kind(options_.time.scheme)) +
-                   " needs it");
     }
-  }
-
-  /// Names of all that moves.
-  std::vector<std::string> moving_names() const {
-    std::vector<std::string> names = names_in(options_.bodies);
-    for (const auto& masses : options_.masses) names.push_back(masses.first);
-    for (const auto& string : options_.strings) names.push_back(string.first);
-    return names;
   }
 
   /// A block belongs to one body.
@@ -134,18 +117,11 @@ class CrossChecks {
 
   /// The history has one column for each support, those of bodies in plane strain included.
   void check_plane_bodies() {
-    for (const std::string& name : plane_strain_supports())
+    for (const std::string& name : plane_strain_supports(options_))
       for (const auto& support : options_.supports)
         if (support.first == name)
           report("D11", {"supports", name}, "this is the name of the support that a body's \"kinematics\" makes already");
   }
-  std::vector<std::string> plane_strain_supports() const {
-    std::vector<std::string> names;
-    for (const auto& [name, body] : options_.bodies)
-      if (body.kinematics == Kinematics::plane_strain) names.push_back(plane_strain_support(name));
-    return names;
-  }
-
   void check_set(const std::string& set, const std::vector<std::string>& path) {
     if (set.empty()) return;
     const std::size_t slash = set.find('/');
@@ -186,82 +162,9 @@ class CrossChecks {
     if (load.mesh) check_mesh(*load.mesh, {"loads", name, "mesh"});
   }
   void check_load(const std::string& name, const loads::BodyForce& load) {
-    const std::vector<std::string> names = moving_names();
+    const std::vector<std::string> names = moving_names(options_);
     if (load.body && std::find(names.begin(), names.end(), *load.body) == names.end())
       report("D14", {"loads", name, "body"}, not_among("there is no body " + in_quotes(*load.body), *load.body, names));
-    for (const auto& [string_name, string] : options_.strings)
-      if ((!load.body || *load.body == string_name) && !string.density && !has_inertia())
-        report("D07", {"strings", string_name},
-               "required \"density\" is missing: the body force " + in_quotes(name) + " needs it");
-    for (const auto& [body_name, body] : options_.bodies)
-      if (!load.body || *load.body == body_name) check_density(body, "the body force " + in_quotes(name) + " needs it");
-  }
-
-  /// What moves by its mass needs a material with a density; each material is told once.
-  void check_density(const BodyOptions& body, const std::string& why) {
-    for (const auto& [name, material] : options_.materials)
-      if (name == body.material && !material.density && lacking_density_.insert(name).second)
-        report("D07", {"materials", name}, "required \"density\" is missing: " + why);
-  }
-
-  bool has_inertia() const { return scheme_of(options_.time.scheme).has_inertia(); }
-
-  bool is_set(const std::string& list, const std::string& name, const std::string& parameter) const {
-    return source_.root().list(list)->list(name)->parameter(parameter) != nullptr;
-  }
-
-  void check_inertia() {
-    const std::string scheme = in_quotes(name_of_kind(options_.time.scheme));
-    for (const auto& [name, body] : options_.bodies) {
-      if (body.rayleigh.mass > 0) check_density(body, "\"rayleigh mass\" of body " + in_quotes(name) + " needs it");
-      if (has_inertia()) check_density(body, "time > \"scheme\" = " + scheme + " needs it");
-      if (!has_inertia() && !(body.rayleigh.mass > 0) && is_set("bodies", name, "mass"))
-        report("D13", {"bodies", name, "mass"},
-               "is set but unused: it has a meaning only with \"rayleigh mass\" > 0 and in dynamics");
-      check_formulation(name, body, scheme);
-    }
-    const std::vector<std::string> names = moving_names();
-    for (const auto& [name, unused] : options_.initial_conditions) {
-      if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end())
-        report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, names));
-      if (!has_inertia())
-        report("D13", {"initial conditions", name},
-               "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " + scheme);
-    }
-    const bool has_contact = !contact_names().empty();
-    if (const std::string fault = instability(options_.time.scheme, has_contact && !is_redistributed()); !fault.empty())
-      report("D19", {"time", "scheme"}, fault);
-    if (!options_.contact.empty() && std::holds_alternative<schemes::EnergyMomentum>(options_.time.scheme))
-      report("D19", {"time", "scheme"},
-             "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
-    if (std::holds_alternative<schemes::ForwardEuler>(options_.time.scheme) &&
-        (has_contact || !options_.supports.empty() || !plane_strain_supports().empty()))
-      report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
-  }
-
-  /// Whether no mass stands at nodes that touch.
-  bool is_redistributed() const {
-    return std::all_of(options_.bodies.begin(), options_.bodies.end(),
-                       [](const auto& body) { return body.second.mass == MassKind::redistributed; });
-  }
-
-  /// Which formulations know the forces of a scheme.
-  void check_formulation(const std::string& name, const BodyOptions& body, const std::string& scheme) {
-    const ForceReading reading = scheme_of(options_.time.scheme).forces;
-    if (reading == ForceReading::algorithmic && body.formulation != FormulationKind::standard)
-      report("D19", {"bodies", name, "formulation"},
-             "must be \"standard\" for time > \"scheme\" = " + scheme + ", whose stress is that of displacement elements");
-    if (reading == ForceReading::mean && body.formulation == FormulationKind::mixed)
-      report("D19", {"bodies", name, "formulation"},
-             "cannot be \"mixed\" where time > \"scheme\" = " + scheme + " takes the mean of two forces");
-  }
-
-  /// All that has a contact force: the history has columns for each by its name.
-  std::vector<std::string> contact_names() const {
-    std::vector<std::string> names = names_in(options_.contact);
-    for (const auto& list : {names_in(options_.obstacles), names_in(options_.rods)})
-      names.insert(names.end(), list.begin(), list.end());
-    return names;
   }
 
   template <class Options>
@@ -289,9 +192,9 @@ class CrossChecks {
   void check_quantities() {
     std::map<std::string, std::vector<std::string>> entries;
     for (const char* axis : {"x", "y", "z"}) {
-      entries[std::string("contact_force_") + axis] = contact_names();
+      entries[std::string("contact_force_") + axis] = contact_names(options_);
       std::vector<std::string>& supports = entries[std::string("reaction_") + axis] = names_in(options_.supports);
-      for (const std::string& name : plane_strain_supports()) supports.push_back(name);
+      for (const std::string& name : plane_strain_supports(options_)) supports.push_back(name);
     }
     entries["closure_error"] = names_in(options_.contact);
     for (const auto& [name, probe] : options_.probes) {
@@ -396,11 +299,11 @@ class CrossChecks {
       case FieldNeed::nothing:
         return "";
       case FieldNeed::inertia:
-        return has_inertia() ? "" : "nothing has a velocity in a static run";
+        return has_inertia(options_) ? "" : "nothing has a velocity in a static run";
       case FieldNeed::supports:
         return options_.supports.empty() ? "the deck has no supports" : "";
       case FieldNeed::contact:
-        return contact_names().empty() ? "the deck has no contact" : "";
+        return contact_names(options_).empty() ? "the deck has no contact" : "";
     }
     return "";
   }
@@ -433,7 +336,7 @@ class CrossChecks {
   const DeckOptions& options_;
   Findings& findings_;
   std::vector<std::string> meshes_;
-  std::set<std::string> known_meshes_, lacking_density_;
+  std::set<std::string> known_meshes_;
   Named<TableOptions> callable_;
 };
 

@@ -246,9 +246,8 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
   f.named("obstacles", o.obstacles, Presence::optional,
-          "rigid things that nodes may not enter; a node's pressure is its force over its share of the sides of the set, or "
-          "(node sets) "
-          "over the square of the smallest element size");
+          "rigid things that nodes may not enter; a node's pressure is its force over its share of the sides of the set, "
+          "or, with a node set, over the square of the smallest element size");
   f.named("rods", o.rods, Presence::optional, "rigid rods without mass from a point in space to a node");
   f.named("initial conditions", o.initial_conditions, Presence::optional,
           "how bodies, masses and strings move at the start, each named as its entry there; without it they are at rest");

@@ -13,27 +13,29 @@ namespace mortise {
 
 namespace schemes {
 
-struct Static {
+struct NoParameters {};
+
+struct Static : NoParameters {
   static constexpr const char* name = "static";
   static constexpr const char* help = "equilibrium at each step; t only orders the loading";
 };
 
-struct ForwardEuler {
+struct ForwardEuler : NoParameters {
   static constexpr const char* name = "forward euler";
   static constexpr const char* help = "explicit, first order, for comparison; without supports and contact";
 };
 
-struct BackwardEuler {
+struct BackwardEuler : NoParameters {
   static constexpr const char* name = "backward euler";
   static constexpr const char* help = "first order, dissipates much (thesis eqs. 5.12-5.18)";
 };
 
-struct Trapezoidal {
+struct Trapezoidal : NoParameters {
   static constexpr const char* name = "trapezoidal";
   static constexpr const char* help = "second order, mean of the forces at both ends of the step (5.19-5.21)";
 };
 
-struct Midpoint {
+struct Midpoint : NoParameters {
   static constexpr const char* name = "midpoint";
   static constexpr const char* help = "second order, forces at the mean positions; keeps both momenta (5.22-5.26)";
 };
@@ -78,13 +80,13 @@ struct VariationalMidpoint {
   double alpha = 0.5;
 };
 
-struct EnergyMomentum {
+struct EnergyMomentum : NoParameters {
   static constexpr const char* name = "energy momentum";
   static constexpr const char* help =
       "second order; keeps the energy and both momenta of what is conservative at any step size (5.45-5.64)";
 };
 
-struct EnergyMomentumMidpointContact {
+struct EnergyMomentumMidpointContact : NoParameters {
   static constexpr const char* name = "energy momentum midpoint contact";
   static constexpr const char* help =
       "as energy momentum, with contact forces at the mean positions (5.115, 5.117): keeps both momenta; what contact does to "
@@ -107,22 +109,14 @@ std::string instability(const SchemeKind& kind, bool has_multipliers);
 namespace schemes {
 
 template <class Fields>
+void describe(Fields&, NoParameters&) {}
+
+template <class Fields>
 void describe_forces(Fields& f, AlphaForces& o) {
   f.choice("forces", o.reading, Choices<ForceReading>{{"at point", ForceReading::at_point}, {"mean", ForceReading::mean}},
            Presence::optional, "at point: those of the weighted positions; mean: the weighted mean of those at both ends");
   f.optional("allow unstable", o.allow_unstable, anything, "", "run although energy may grow without bound");
 }
-
-template <class Fields>
-void describe(Fields&, Static&) {}
-template <class Fields>
-void describe(Fields&, ForwardEuler&) {}
-template <class Fields>
-void describe(Fields&, BackwardEuler&) {}
-template <class Fields>
-void describe(Fields&, Trapezoidal&) {}
-template <class Fields>
-void describe(Fields&, Midpoint&) {}
 
 template <class Fields>
 void describe(Fields& f, GeneralisedAlpha& o) {
@@ -164,11 +158,6 @@ template <class Fields>
 void describe(Fields& f, VariationalMidpoint& o) {
   f.optional("alpha", o.alpha, within(0, 0.99), "-", "weight of the new positions; 0: symplectic Euler");
 }
-
-template <class Fields>
-void describe(Fields&, EnergyMomentum&) {}
-template <class Fields>
-void describe(Fields&, EnergyMomentumMidpointContact&) {}
 
 }  // namespace schemes
 

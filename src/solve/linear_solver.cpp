@@ -11,9 +11,9 @@ namespace {
 std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
   std::vector<int> group(dofs.n_unknowns());
   for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(dofs.n_nodes()); ++k) group[k] = static_cast<int>(k / 3);
-  for (const ContactNodes* pair : scene.contacts())
-    for (std::size_t k = 0; k < pair->secondary_nodes.size(); ++k)
-      group[3 * static_cast<std::size_t>(dofs.n_nodes()) + pair->first_multiplier + k] = pair->secondary_nodes[k];
+  for (const ContactNodes* contact : scene.contacts())
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+      group[3 * static_cast<std::size_t>(dofs.n_nodes()) + contact->first_multiplier + k] = contact->secondary_nodes[k];
   for (int e = 0; e + 1 < static_cast<int>(scene.first_pressure.size()); ++e)
     for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
       group[dofs.global(scene.pressure_point(e, m))] = element_nodes(scene.mesh.mesh, e)[0];

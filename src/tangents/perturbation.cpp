@@ -45,9 +45,9 @@ std::vector<double> state(const StepProblem& problem, double factor) {
     x[k] = at[k % 3];
     if (h < std::numeric_limits<double>::max()) x[k] += factor * h * (0.08 * std::sin(phase) + noise);  // a node of some body
   }
-  for (const ContactNodes* pair : scene.contacts())
-    for (std::size_t k = 0; k < pair->secondary_nodes.size(); ++k)
-      x[n_positions + pair->first_multiplier + k] = pair->youngs_modulus * random.in(0.05, 0.15);
+  for (const ContactNodes* contact : scene.contacts())
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
+      x[n_positions + contact->first_multiplier + k] = contact->youngs_modulus * random.in(0.05, 0.15);
   if (!scene.first_pressure.empty())
     for (const auto& body : scene.bodies)
       for (int e : body.elements)

@@ -113,22 +113,21 @@ MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const T
       break;
     }
     const double error = result.converged ? problem.local_error(at.state, result.state) : 0;
-    if (result.converged)
-      if (const auto again = size.repeat(dt, error, result.evaluation.n_closed > 0 && at.n_closed == 0)) {
-        const bool go_on = size.shorten(again->first);
-        result.converged = false;
-        ++at.pending_cuts;
-        ++at.counts.cuts;
-        at.counts.wasted_iterations += result.iterations;
-        party.log(fmt::format("{}: repeated with dt = {:.4g}, {}\n", head, size.dt(), again->second));
-        if (!go_on) {
-          summary.code = ExitCode::no_convergence;
-          summary.cause = fmt::format("{}: the smallest step is reached; {}", head, again->second);
-          break;
-        }
-        at.dt = size.dt();
-        continue;
+    const bool touches = result.converged && result.evaluation.n_closed > 0 && at.n_closed == 0;
+    if (const auto again = result.converged ? size.repeat(dt, error, touches) : std::nullopt) {
+      ++at.pending_cuts;
+      ++at.counts.cuts;
+      at.counts.wasted_iterations += result.iterations;
+      const bool go_on = size.shorten(again->first);
+      party.log(fmt::format("{}: repeated with dt = {:.4g}, {}\n", head, size.dt(), again->second));
+      if (!go_on) {
+        summary.code = ExitCode::no_convergence;
+        summary.cause = fmt::format("{}: the smallest step is reached; {}", head, again->second);
+        break;
       }
+      at.dt = size.dt();
+      continue;
+    }
     if (!result.converged) {
       ++at.pending_cuts;
       ++at.counts.cuts;

@@ -44,10 +44,10 @@ TEST_P(BarsImpact, HasTheStressAndTheDurationOfTheWaves) {
   EXPECT_NEAR(sum / n, stress, 0.01 * stress);
   EXPECT_NEAR(end - begin, duration, 2 * dt);
   EXPECT_EQ(openings, 0);
-  EXPECT_LE(greatest(table["linear_momentum_mismatch"]), 1e-11 * momentum);
-  EXPECT_LE(greatest(table["ledger_mismatch"]), 1e-11 * energy);
+  EXPECT_LE(greatest_of(table["linear_momentum_mismatch"]), 1e-11 * momentum);
+  EXPECT_LE(greatest_of(table["ledger_mismatch"]), 1e-11 * energy);
   EXPECT_LE(total.back(), energy);
-  const double algorithmic = greatest(table["algorithmic_dissipation"]), closing = table["contact_work_closing"].back();
+  const double algorithmic = greatest_of(table["algorithmic_dissipation"]), closing = table["contact_work_closing"].back();
   if (keeps_energy) {
     EXPECT_LE(algorithmic, 1e-11 * energy);
     EXPECT_NEAR(energy - total.back(), -closing, 1e-9 * energy);  // all that is lost is lost when the ends meet

@@ -103,7 +103,7 @@ TEST_F(HostileScene, NoFreeUnknownIsAllowed) {
 
 TEST_F(HostileScene, NothingLoadedIsAllowed) {
   expect_done(without_list(patch, "loads"));
-  EXPECT_LE(greatest(history()["displacement_z.top"]), 1e-12);
+  EXPECT_LE(greatest_of(history()["displacement_z.top"]), 1e-12);
 }
 
 // ---- formulas ---------------------------------------------------------------------------------------------------------

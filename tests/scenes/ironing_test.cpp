@@ -26,8 +26,8 @@ std::array<double, 2> expect_sound(const Table& table, const nlohmann::json& sum
   EXPECT_EQ(summary["exit_code"], 0);
   EXPECT_EQ(summary["end_time"], 20);
   EXPECT_LE(summary["steps"], 48);
-  const double ledger = greatest(table["ledger_mismatch"]) / greatest(table["total_energy"]),
-               closure = greatest(table["closure_error.indenter on slab"]);
+  const double ledger = greatest_of(table["ledger_mismatch"]) / greatest_of(table["total_energy"]),
+               closure = greatest_of(table["closure_error.indenter on slab"]);
   EXPECT_LE(ledger, 1e-11);
   EXPECT_LE(closure, 2e-12 * (1 + 9 / (100 * 0.25)));  // |x| is at most 9, facets are 1/4 wide
   const auto z = table[force];
@@ -60,7 +60,7 @@ TEST(Ironing, MeetsItsExpectedForcesAndIsTheSameOnOneTwoAndFourRanks) {
     ASSERT_EQ(forces.size(), first.size());
     double difference = 0;
     for (std::size_t k = 0; k < forces.size(); ++k)
-      difference = std::max(difference, std::abs(forces[k] - first[k]) / greatest(first));
+      difference = std::max(difference, std::abs(forces[k] - first[k]) / greatest_of(first));
     EXPECT_LE(difference, 1e-8) << ranks << " ranks";
     std::cout << ranks << " ranks: forces differ by " << difference << '\n';
   }

@@ -102,7 +102,7 @@ class OddScene : public testing::Test {
 
 void expect_same(const std::vector<double>& a, const std::vector<double>& b, double relative, const std::string& what) {
   ASSERT_EQ(a.size(), b.size()) << what;
-  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], relative * greatest(b)) << what << ", row " << k;
+  for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], relative * greatest_of(b)) << what << ", row " << k;
 }
 
 // ---- failures on one rank ---------------------------------------------------------------------------------------------
@@ -164,7 +164,7 @@ TEST_F(OddScene, OrderOfBlocksDoesNotMatter) {
   };
   for (const auto& pair : {contact("base/top", "punch/bottom"), contact("punch/bottom", "base/top")}) {
     const auto in_order = history_of(deck("{low, up}", pair));
-    EXPECT_GT(greatest(in_order["contact_force_z.pair"]), 1);
+    EXPECT_GT(greatest_of(in_order["contact_force_z.pair"]), 1);
     for (const std::string blocks : {"{up, low}", "{20, 10}"}) {
       const auto reversed = history_of(deck(blocks, pair));
       for (const std::string column : {"contact_force_z.pair", "reaction_z.base bottom"})

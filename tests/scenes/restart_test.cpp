@@ -110,7 +110,7 @@ TEST_F(Restarting, OnTwoRanksGoesOnOnTwoAndOnOne) {
       const auto a = read_history(folder / "out" / "history.csv")[force],
                  b = read_history(folder / "whole" / "history.csv")[force];
       ASSERT_EQ(a.size(), b.size());
-      for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-8 * greatest(b)) << "step " << k;
+      for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-8 * greatest_of(b)) << "step " << k;
     }
   }
 }

@@ -57,11 +57,11 @@ Free run_free(const std::string& deck, double end_of_loads, int ranks = 1) {
   while (k + 1 < time.size() && time[k] < end_of_loads - 1e-9) ++k;
   found.energy = energy[k];
   for (; k < time.size(); ++k) found.greatest_energy = std::max(found.greatest_energy, energy[k] / found.energy);
-  found.newton = greatest(table["newton_iterations"]);
-  found.algorithmic = greatest(table["algorithmic_dissipation"]) / found.energy;
-  found.ledger = greatest(table["ledger_mismatch"]) / found.energy;
-  found.linear_balance = greatest(table["linear_momentum_mismatch"]) / greatest_length(table, "linear_momentum");
-  found.angular_balance = greatest(table["angular_momentum_mismatch"]) / greatest_length(table, "angular_momentum");
+  found.newton = greatest_of(table["newton_iterations"]);
+  found.algorithmic = greatest_of(table["algorithmic_dissipation"]) / found.energy;
+  found.ledger = greatest_of(table["ledger_mismatch"]) / found.energy;
+  found.linear_balance = greatest_of(table["linear_momentum_mismatch"]) / greatest_length(table, "linear_momentum");
+  found.angular_balance = greatest_of(table["angular_momentum_mismatch"]) / greatest_length(table, "angular_momentum");
   std::cout << found.steps << " steps, code " << found.code << ": Newton <= " << found.newton << ", E0 " << found.energy
             << ", later up to " << found.greatest_energy << " E0, algorithmic dissipation " << found.algorithmic << " E0, ledger "
             << found.ledger << " E0, balance of momenta " << found.linear_balance << ", " << found.angular_balance << '\n';

@@ -7,6 +7,7 @@
 
 #include "output/checkpoint.hpp"
 #include "output/history.hpp"
+#include "support/greatest.hpp"
 #include "support/test_scene.hpp"
 
 namespace mortise::test {

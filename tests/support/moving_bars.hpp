@@ -5,12 +5,6 @@
 
 namespace mortise::test {
 
-inline double greatest_of(const std::vector<double>& values) {
-  double greatest = 0;
-  for (double v : values) greatest = std::max(greatest, std::abs(v));
-  return greatest;
-}
-
 /// A bar 1 x 0.3 x 0.2 in free flight.
 struct FreeBar {
   std::string scheme = "midpoint", parameters;  ///< of list `time`

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "support/greatest.hpp"
 #include "support/scratch_folder.hpp"
 #include "support/text.hpp"
 
@@ -81,12 +82,6 @@ inline double mean_from(const Table& table, const std::string& column, double fr
     sum += share * values[k];
   }
   return sum / weight;
-}
-
-inline double greatest(const std::vector<double>& values) {
-  double most = 0;
-  for (double v : values) most = std::max(most, std::abs(v));
-  return most;
 }
 
 }  // namespace mortise::test

@@ -13,12 +13,6 @@ constexpr double length = 10, modulus = 1000;
 
 std::string supports(const std::string& entries) { return list("supports", entries); }
 
-double greatest_of(const std::vector<double>& values) {
-  double greatest = 0;
-  for (double v : values) greatest = std::max(greatest, std::abs(v));
-  return greatest;
-}
-
 // Turned at one end only: the rest follows, as nothing holds it back.
 TEST(Rotation, OfOneEndByAQuarterTurnTurnsTheBarWithoutStress) {
   BarDeck deck;

@@ -1,0 +1,132 @@
+#include "deck/motion_checks.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "deck/entries.hpp"
+
+namespace mortise {
+namespace {
+
+class MotionChecks {
+ public:
+  MotionChecks(const DeckSource& source, const DeckOptions& options, Findings& findings)
+      : source_(source),
+        options_(options),
+        findings_(findings),
+        scheme_(scheme_of(options.time.scheme)),
+        by_scheme_("time > \"scheme\" = " + in_quotes(name_of_kind(options.time.scheme))) {}
+
+  void run() {
+    check_body_forces();
+    check_bodies();
+    check_strings();
+    check_initial_conditions();
+    check_scheme();
+  }
+
+ private:
+  void report(const std::string& code, const std::vector<std::string>& path, const std::string& what) {
+    findings_.problems.push_back(source_.problem(code, path, what));
+  }
+
+  void check_body_forces() {
+    for (const auto& [name, load] : options_.loads) {
+      if (!load.kind || !std::holds_alternative<loads::BodyForce>(*load.kind)) continue;
+      const auto& on = std::get<loads::BodyForce>(*load.kind).body;
+      const std::string why = "the body force " + in_quotes(name) + " needs it";
+      for (const auto& [string_name, string] : options_.strings)
+        if (!on || *on == string_name) check_density(string_name, string, why);
+      for (const auto& [body_name, body] : options_.bodies)
+        if (!on || *on == body_name) check_density(body, why);
+    }
+  }
+
+  void check_bodies() {
+    for (const auto& [name, body] : options_.bodies) {
+      if (body.rayleigh.mass > 0) check_density(body, "\"rayleigh mass\" of body " + in_quotes(name) + " needs it");
+      if (scheme_.has_inertia()) check_density(body, by_scheme_ + " needs it");
+      if (!scheme_.has_inertia() && !(body.rayleigh.mass > 0) && is_set("bodies", name, "mass"))
+        report("D13", {"bodies", name, "mass"},
+               "is set but unused: it has a meaning only with \"rayleigh mass\" > 0 and in dynamics");
+      check_formulation(name, body);
+    }
+  }
+
+  void check_strings() {
+    for (const auto& [name, string] : options_.strings)
+      if (scheme_.has_inertia()) check_density(name, string, by_scheme_ + " needs it");
+  }
+
+  /// What moves by its mass needs a density; each material and string is told once.
+  void check_density(const BodyOptions& body, const std::string& why) {
+    for (const auto& [name, material] : options_.materials)
+      if (name == body.material && !material.density) miss_density({"materials", name}, why);
+  }
+  void check_density(const std::string& name, const StringOptions& string, const std::string& why) {
+    if (!string.density) miss_density({"strings", name}, why);
+  }
+  void miss_density(const std::vector<std::string>& path, const std::string& why) {
+    if (told_.insert(path).second) report("D07", path, "required \"density\" is missing: " + why);
+  }
+
+  bool is_set(const std::string& list, const std::string& name, const std::string& parameter) const {
+    return source_.root().list(list)->list(name)->parameter(parameter) != nullptr;
+  }
+
+  void check_initial_conditions() {
+    const std::vector<std::string> names = moving_names(options_);
+    for (const auto& [name, unused] : options_.initial_conditions) {
+      if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end())
+        report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, names));
+      if (!scheme_.has_inertia())
+        report("D13", {"initial conditions", name},
+               "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " +
+                   in_quotes(name_of_kind(options_.time.scheme)));
+    }
+  }
+
+  void check_scheme() {
+    const SchemeKind& kind = options_.time.scheme;
+    const bool has_contact = !contact_names(options_).empty();
+    if (const std::string fault = instability(kind, has_contact && !is_redistributed()); !fault.empty())
+      report("D19", {"time", "scheme"}, fault);
+    if (!options_.contact.empty() && scheme_.has_discrete_contact)
+      report("D19", {"time", "scheme"},
+             "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
+    if (scheme_.is_explicit_in_position &&
+        (has_contact || !options_.supports.empty() || !plane_strain_supports(options_).empty()))
+      report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
+  }
+
+  /// Whether no mass stands at nodes that touch.
+  bool is_redistributed() const {
+    return options_.masses.empty() && options_.strings.empty() &&
+           std::all_of(options_.bodies.begin(), options_.bodies.end(),
+                       [](const auto& body) { return body.second.mass == MassKind::redistributed; });
+  }
+
+  /// Which formulations know the forces of a scheme.
+  void check_formulation(const std::string& name, const BodyOptions& body) {
+    if (scheme_.forces == ForceReading::algorithmic && body.formulation != FormulationKind::standard)
+      report("D19", {"bodies", name, "formulation"},
+             "must be \"standard\" for " + by_scheme_ + ", whose stress is that of displacement elements");
+    if (scheme_.forces == ForceReading::mean && body.formulation == FormulationKind::mixed)
+      report("D19", {"bodies", name, "formulation"}, "cannot be \"mixed\" where " + by_scheme_ + " takes the mean of two forces");
+  }
+
+  const DeckSource& source_;
+  const DeckOptions& options_;
+  Findings& findings_;
+  const TimeScheme scheme_;
+  const std::string by_scheme_;
+  std::set<std::vector<std::string>> told_;  ///< of missing densities
+};
+
+}  // namespace
+
+void check_motion(const DeckSource& source, const DeckOptions& options, Findings& findings) {
+  MotionChecks(source, options, findings).run();
+}
+
+}  // namespace mortise
