@@ -3,25 +3,9 @@
 # usage: plot_test.sh MORTISE   (the program)
 set -euo pipefail
 mortise=$(realpath -- "$1")
-# shellcheck source=tools/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/../../tools/common.sh"
-allow_mpi
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
-cd -- "$scratch"
+# shellcheck source=tests/tools/claims.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/claims.sh"
 
-failures=0
-claim() { # NAME COMMAND...: the command succeeds
-  local name=$1
-  shift
-  if "$@"; then say "ok: $name"; else say "FAILED: $name ($*)"; failures=$((failures + 1)); fi
-}
-exit_code() { # CODE WORD COMMAND...: that code, and one line of message with the word
-  local wanted=$1 word=$2 code=0
-  shift 2
-  "$@" >/dev/null 2>message || code=$?
-  [ "$code" -eq "$wanted" ] && [ "$(wc -l <message)" -eq 1 ] && grep -qF -- "$word" message
-}
 is_png() { [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] && [ "$(stat -c %s "$1")" -gt 10000 ]; }
 plot() { "$root/tools/plot" "$@" >/dev/null; }
 
@@ -46,4 +30,4 @@ claim "no such column" exit_code 5 "position_x.tip" "$root/tools/plot" path bric
 claim "no rows" exit_code 5 "no row" "$root/tools/plot" energies brick_0.05 --from 2 -o out.png
 claim "an unknown kind of file" exit_code 5 "out.xyz" "$root/tools/plot" total brick_0.05 -o out.xyz
 
-[ "$failures" -eq 0 ] || fail "$failures claims do not hold"
+all_claims_hold

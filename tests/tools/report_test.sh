@@ -3,28 +3,12 @@
 # usage: report_test.sh MORTISE   (the program; installs what tools/packages_long.txt lists)
 set -euo pipefail
 mortise=$(realpath -- "$1")
-# shellcheck source=tools/common.sh
-source "$(dirname -- "${BASH_SOURCE[0]}")/../../tools/common.sh"
+# shellcheck source=tests/tools/claims.sh
+source "$(dirname -- "${BASH_SOURCE[0]}")/claims.sh"
 install_packages "$root/tools/packages_long.txt"
-allow_mpi
-scratch=$(mktemp -d)
-trap 'rm -rf -- "$scratch"' EXIT
-cd -- "$scratch"
 
-failures=0
-claim() { # NAME COMMAND...: the command succeeds
-  local name=$1
-  shift
-  if "$@"; then say "ok: $name"; else say "FAILED: $name ($*)"; failures=$((failures + 1)); fi
-}
 holds() { grep -qF -- "$2" "$1"; }
 lacks() { ! grep -qE -- "$2" "$1"; }
-exit_code() { # CODE COMMAND...: that code, and one line of message
-  local wanted=$1 code=0
-  shift
-  "$@" >/dev/null 2>message || code=$?
-  [ "$code" -eq "$wanted" ] && [ "$(wc -l <message)" -eq 1 ]
-}
 run() { # CODE DECK OUT
   local code=0
   "$mortise" run "$2" -o "$3" --quiet >run.out 2>&1 || code=$?
@@ -90,13 +74,12 @@ report one_row
 claim "one row: outcome" holds one_row.dom 'no step accepted'
 claim "one row: figures" test "$(figures one_row.dom)" -ge 3
 
-claim "usage" exit_code 1 "$root/tools/report" done --unknown
-claim "no folder" exit_code 5 "$root/tools/report" nowhere
+claim "usage" exit_code 1 --unknown "$root/tools/report" done --unknown
+claim "no folder" exit_code 5 nowhere "$root/tools/report" nowhere
 mkdir empty
-claim "not a run" exit_code 5 "$root/tools/report" empty
+claim "not a run" exit_code 5 empty "$root/tools/report" empty
 sed -i '3s/0.5/half/' killed/history.csv
-claim "history that is no table" exit_code 5 "$root/tools/report" killed
-claim "its line is named" holds message 'killed/history.csv: line 3: '
-claim "page that cannot be written" exit_code 5 "$root/tools/report" done --no-pictures -o nowhere/page.html
+claim "history that is no table" exit_code 5 'killed/history.csv: line 3: ' "$root/tools/report" killed
+claim "page that cannot be written" exit_code 5 nowhere "$root/tools/report" done --no-pictures -o nowhere/page.html
 
-[ "$failures" -eq 0 ] || fail "$failures claims failed"
+all_claims_hold
