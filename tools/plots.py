@@ -158,6 +158,10 @@ def momentum_plots(history, left_out):
                 left_out.append(in_words(prefix))
             else:
                 yield Plot(in_words(prefix).capitalize(), history["time"], [Series(c, v) for c, v in components.items()])
+    missed = {in_words(n).split()[0]: history[n] for n in ("linear_momentum_mismatch", "angular_momentum_mismatch") if n in history}
+    if missed:
+        yield from magnitude_plot(history, "Mismatch of the momenta", missed, "momentum", left_out,
+                                  "What they are away from those at the start and the impulses since.")
 
 
 def course_plots(history, left_out):
@@ -190,7 +194,7 @@ def of_steps(history, name):
 
 SHOWN_ELSEWHERE = re.compile(
     r"step|time|dt|newton_iterations|cuts|active|stick|slip|contact_force_[xyz]\..*|reaction_[xyz]\..*|linear_momentum_[xyz]|"
-    r"angular_momentum_[xyz]|ledger_mismatch|closure_error\..*|seconds_.*|graph_rebuilds|" + "|".join(ENERGIES + WORKS), re.DOTALL)
+    r"angular_momentum_[xyz]|linear_momentum_mismatch|angular_momentum_mismatch|ledger_mismatch|closure_error\..*|seconds_.*|graph_rebuilds|" + "|".join(ENERGIES + WORKS), re.DOTALL)
 
 
 def probe_plots(history, left_out):

@@ -1,4 +1,6 @@
 // What a step knows of the deck's forces and motions: supports, loads, springs and damping at its time.
+#include <algorithm>
+
 #include "assembly/step_problem.hpp"
 #include "assembly/vectors.hpp"
 #include "prescribed_motion.hpp"
@@ -145,6 +147,26 @@ RCP<Vector> StepProblem::in_motion(const Combination& c, const Vector& overlap_x
   if (!start_v_.is_null() && c.v != 0) sum->update(c.v, *start_v_, 1.0);
   if (!start_a_.is_null() && c.a != 0) sum->update(c.a, *start_a_, 1.0);
   return sum;
+}
+
+RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
+  const auto is_anchored = [](const StretchTerm& term) { return term.is_anchored(); };
+  const bool has_springs = !springs_.empty() || std::any_of(stretches_.begin(), stretches_.end(), is_anchored);
+  if (!has_springs && scene_.obstacles.empty()) return Teuchos::null;
+  const bool is_mean = scheme_.forces == ForceReading::mean, is_algorithmic = scheme_.forces == ForceReading::algorithmic;
+  const auto overlap_x = to_overlap(x);
+  const auto of_springs = [&](const Vector& at, const double* x_n, const Vector& stretched_at) {
+    Vector shares(dofs_.overlap_map());
+    add_springs(at, shares);
+    for (const auto& term : stretches_)
+      if (term.is_anchored() && term.acts_at(time_)) term.add_force(x_n, data(stretched_at), data(shares));
+    return owned_sum(shares);
+  };
+  const auto at_theta = is_mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
+  const auto force = of_springs(*at_theta, is_algorithmic ? data(*start_x_) : nullptr, is_algorithmic ? *overlap_x : *at_theta);
+  if (is_mean) force->update(1 - scheme_.theta, *of_springs(*start_x_, nullptr, *start_x_), scheme_.theta);
+  force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size()), 1.0);
+  return force;
 }
 
 RCP<Vector> StepProblem::damping(const Vector& overlap_x) {

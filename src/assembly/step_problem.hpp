@@ -155,6 +155,10 @@ class StepProblem {
   /// Sum of the contact forces of one contact on its secondary surface in this step [N] (the force acts on the body).
   Vec3<double> force_on_secondary(const Vector& x, std::size_t contact);
 
+  /// What pushes from outside through springs to the ground, anchored springs, obstacles and rods in this step; sign of the
+  /// residual. Null where the scene has none.
+  RCP<Vector> force_from_ground(const Vector& x);
+
   /// Contact force of this step with pressures `p` taken from `pressures` and positions from `x`; sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
 

@@ -19,7 +19,8 @@ Vec3<Fad> constant(const Vec3<double>& t) { return {Fad(t[0]), Fad(t[1]), Fad(t[
 
 }  // namespace
 
-StretchTerm::StretchTerm(const NodeSpring& spring, const DofSpace& dofs) : law_(spring.law), activity_(spring.activity) {
+StretchTerm::StretchTerm(const NodeSpring& spring, const DofSpace& dofs)
+    : law_(spring.law), activity_(spring.activity), is_anchored_(!spring.to) {
   if (!dofs.owned(spring.from)) return;
   const double L = spring.rest_length;
   Line line{{spring.from}, {dofs.local(spring.from)}, {{{-1 / L}, {0, 0, 0}, spring.stiffness * L * L}}};

@@ -21,6 +21,7 @@ class StretchTerm {
   void append_cells(std::vector<Cell>& cells);
 
   bool acts_at(double t) const { return activity_.acts_at(t); }
+  bool is_anchored() const { return is_anchored_; }  ///< a spring to a fixed point
 
   /// Adds the force to `f`, all on the overlap: at positions `x`, or, with `x_n`, the discrete gradient of the energy in the step
   /// from there to `x` (thesis eqs. 6.31-6.36). @return false if a line has shrunk to nothing on this rank
@@ -46,6 +47,7 @@ class StretchTerm {
 
   StretchLaw law_;
   Activity activity_;
+  bool is_anchored_ = false;
   std::vector<Line> lines_;
   std::size_t first_cell_ = 0;
 };

@@ -28,7 +28,8 @@ inline constexpr std::array ledger_columns{"kinetic_energy",
                                            "angular_momentum_y",
                                            "angular_momentum_z"};
 
-/// Columns after those of the conventions: |momentum - (momentum at the start + impulses of loads, supports and the residual)|.
+/// Columns after those of the conventions: |momentum - (momentum at the start + impulses of loads, supports, damping, springs to
+/// the ground, obstacles, rods and the residual)|.
 inline constexpr std::array balance_columns{"linear_momentum_mismatch", "angular_momentum_mismatch"};
 
 }  // namespace mortise

@@ -139,6 +139,7 @@ void add_step(Ledger& ledger, StepProblem& problem, const State& before, const S
   mean.update(0.5, *before.x, 0.5);
   push.update(1.0, rest.reaction, 1.0, rest.residual, 1.0);
   if (!at.damping.is_null()) push.update(-1.0, *at.damping, 1.0);
+  if (const auto ground = problem.force_from_ground(*now.x); !ground.is_null()) push.update(-1.0, *ground, 1.0);
   const auto impulse = resultant(problem, mean, push);
   const double dt = now.time - before.time;
   for (int i = 0; i < 3; ++i) {

@@ -17,7 +17,8 @@ struct Ledger {
   std::vector<char> closed;                               ///< per multiplier of the scene
   std::vector<double> weighted_gap;                       ///< likewise [m^3]
   std::vector<double> linear_momentum, angular_momentum;  ///< of the state [kg m/s], [kg m^2/s]; about the origin
-  /// Of loads, reactions and the residual, since the start, with what the state had then: without a mismatch the momenta.
+  /// Of loads, reactions, damping, the ground and the residual, since the start, with what the state had then: without a mismatch
+  /// the momenta.
   std::vector<double> linear_balance, angular_balance;
 
   /// |momentum - balance| [kg m/s], [kg m^2/s]

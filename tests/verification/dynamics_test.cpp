@@ -6,14 +6,6 @@
 namespace mortise::test {
 namespace {
 
-/// Greatest |column| over the greatest length of a vector of columns.
-double relative_to(const MarchedScene& run, const std::string& column, const std::string& vector) {
-  double size = 0;
-  const auto x = run[vector + "_x"], y = run[vector + "_y"], z = run[vector + "_z"];
-  for (std::size_t k = 0; k < x.size(); ++k) size = std::max(size, std::hypot(x[k], y[k], z[k]));
-  return greatest_of(run[column]) / size;
-}
-
 struct SchemeCase {
   std::string scheme, parameters;
   bool keeps_angular;

@@ -25,6 +25,9 @@ TEST_P(EveryClosing, ClosesTheLedgerAndTellsWhatContactTook) {
   const double work = run["contact_work"].back();
   EXPECT_NEAR(energy.back(), energy.front() + work - run["algorithmic_dissipation"].back() + run["residual_work"].back(),
               1e-11 * energy.front());
+  if (GetParam().scheme != "generalised alpha") {                         // which promises it without net load only
+    EXPECT_LE(greatest_of(run["linear_momentum_mismatch"]), 1e-12 * 25);  // the wall's impulse is in the balance
+  }
   EXPECT_NEAR(run["contact_work_closing"].back() + run["contact_work_resegmentation"].back(), work, 1e-2 * energy.front());
   if (GetParam().keeps_energy) {
     EXPECT_LE(std::abs(work), 1e-11 * energy.front());
@@ -104,7 +107,7 @@ TEST(Obstacle, OfASphereKeepsTheEnergy) {
 }
 
 /// A block that hangs by one corner on a rod and swings.
-std::string swinging_block(const std::string& scheme, const std::string& step) {
+std::string swinging_block(const std::string& scheme, const std::string& step, const std::string& springs = "") {
   const std::string mesh = word("recipe", "block") + deck_parameter("origin", "Array(double)", "{1, 0, 0}");
   return list("block",
               list("meshes", list("block", mesh)) +
@@ -114,7 +117,7 @@ std::string swinging_block(const std::string& scheme, const std::string& step) {
                   list("loads", list("gravity", word("type", "body force") + word("z", "-10"))) +
                   list("rods", list("rod", word("mesh", "block") + deck_parameter("nearest", "Array(double)", "{1, 0, 0}") +
                                                deck_parameter("anchor", "Array(double)", "{0, 0, 0.5}"))) +
-                  list("time", word("scheme", scheme) + number("step", step) + number("end", "1")));
+                  springs + list("time", word("scheme", scheme) + number("step", step) + number("end", "1")));
 }
 
 TEST(Rod, KeepsItsLengthAndTheEnergy) {
@@ -129,6 +132,24 @@ TEST(Rod, KeepsItsLengthAndTheEnergy) {
   EXPECT_LE(run.relative_mismatch(), 1e-13);
   EXPECT_NEAR(run["total_energy"].back(), run["external_work"].back(), 1e-8 * moved);
   EXPECT_GT(greatest_of(run["contact_force_z.rod"]), 1);
+  EXPECT_LE(relative_to(run, "linear_momentum_mismatch", "linear_momentum"), 1e-12);
+  EXPECT_LE(relative_to(run, "angular_momentum_mismatch", "angular_momentum"), 1e-12);
+}
+
+// Springs, a bedding, an anchor and a rod push from outside: with them the momenta are balanced too.
+TEST(MomentumBalance, CountsWhatTheGroundPushesWith) {
+  const std::string springs =
+      list("springs", list("posts", word("type", "nodes") + word("set", "block/top") + number("x", "3") + number("z", "20")) +
+                          list("bed", word("type", "bedding") + word("set", "block/left") + number("y", "30")));
+  for (const char* scheme : {"midpoint", "trapezoidal", "energy momentum", "backward euler"}) {
+    const MarchedScene run(swinging_block(scheme, "0.02", springs));
+    ASSERT_EQ(run.summary.code, ExitCode::done) << run.log;
+    EXPECT_GT(greatest_of(run["linear_momentum_z"]), 0.1);
+    EXPECT_LE(relative_to(run, "linear_momentum_mismatch", "linear_momentum"), 1e-12) << scheme;
+    if (scheme == std::string("midpoint") || scheme == std::string("energy momentum")) {
+      EXPECT_LE(relative_to(run, "angular_momentum_mismatch", "angular_momentum"), 1e-12) << scheme;
+    }
+  }
 }
 
 // An index-3 constraint in the schemes: the order in the positions against a much finer run.
