@@ -194,6 +194,11 @@ class LoadMaker {
   const DeckPath entry_;
 };
 
+void insert_ascending(std::vector<double>& values, double value) {
+  const auto at = std::lower_bound(values.begin(), values.end(), value);
+  if (at == values.end() || *at != value) values.insert(at, value);
+}
+
 }  // namespace
 
 void make_supports(const DeckNames& names, Scene& scene) {
@@ -222,9 +227,10 @@ void make_loads(const DeckNames& names, Scene& scene) {
 }
 
 void add_stops(Scene& scene) {
-  std::set<double> stops(scene.time.stops.begin(), scene.time.stops.end());
   const auto add = [&](const std::optional<double>& time) {
-    if (time && *time > 0 && *time < scene.time.end) stops.insert(*time);
+    if (!time) return;
+    for (Stage& stage : scene.stages)
+      if (*time > stage.begin && *time < stage.time.end) insert_ascending(stage.time.stops, *time);
   };
   const auto add_all = [&](const auto& entries) {
     for (const auto& entry : entries) {
@@ -238,12 +244,14 @@ void add_stops(Scene& scene) {
   add_all(scene.loads);
   add_all(scene.pairs);
   add_all(scene.obstacles);
-  scene.time.stops.assign(stops.begin(), stops.end());
 }
 
 void check_motions(const DeckNames& names, const Scene& scene) {
-  std::vector<double> times{0.0, scene.time.end};
-  times.insert(times.end(), scene.time.stops.begin(), scene.time.stops.end());
+  std::vector<double> times{0.0};
+  for (const Stage& stage : scene.stages) {
+    times.push_back(stage.time.end);
+    times.insert(times.end(), stage.time.stops.begin(), stage.time.stops.end());
+  }
   std::set<std::pair<int, int>> told;  // pairs of supports: the first node is enough
   for (std::size_t k = 0; k < scene.prescribed.size(); ++k) {
     for (std::size_t l = k + 1; l < scene.prescribed.size(); ++l) {

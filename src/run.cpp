@@ -86,7 +86,7 @@ class Session {
   ExitCode march_on(MarchState at) {
     RunOutcome outcome;
     try {
-      const MarchSummary summary = march(setup_.problem, newton_, at, setup_.scene.time, party());
+      const MarchSummary summary = march(setup_.problem, newton_, at, party());
       outcome.code = summary.code;
       outcome.cause = summary.cause;
     } catch (const UserError& error) {  // a full disk: what is there stays usable
@@ -206,7 +206,7 @@ ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
   const auto begin = Clock::now();
   prepare_signals();
   Setup setup(Deck::read(options.deck), comm);
-  const MarchState start{setup.first_state(), setup.scene.time.step, 0, {}};
+  const MarchState start = starting(setup.first_state());
   const fs::path folder = options.output.value_or(options.deck.stem());
   std::optional<RunFolder> held;
   on_root(*comm, [&] { held.emplace(RunFolder::begin(folder, options.overwrite)); });
@@ -231,7 +231,7 @@ ExitCode restart_command(const RestartOptions& options, const RCP<const Comm>& c
         fmt::format("{}: error[I10] its checkpoint holds another number of unknowns than this deck gives", folder.string()));
   setup.warnings.insert(setup.warnings.end(), warnings.begin(), warnings.end());
   const MarchState at = resume(kept, setup.problem);
-  if (comm->getRank() == 0 && at.state.time >= setup.scene.time.end) std::cout << "the run had reached its end" << std::endl;
+  if (comm->getRank() == 0 && at.state.time >= setup.scene.end()) std::cout << "the run had reached its end" << std::endl;
   return Session(setup, comm, folder, options.quiet, &kept, begin).march_on(at);
 }
 

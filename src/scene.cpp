@@ -6,12 +6,14 @@
 #include <cmath>
 
 #include "assembly/formulations.hpp"
+#include "deck/stages.hpp"
 #include "errors.hpp"
 #include "make_bodies.hpp"
 #include "make_loads.hpp"
 #include "make_material.hpp"
 #include "make_obstacles.hpp"
 #include "make_pairs.hpp"
+#include "make_start.hpp"
 #include "mesh/suspicions.hpp"
 #include "sha256.hpp"
 
@@ -37,8 +39,8 @@ class SceneMaker {
     for (const auto& [name, mesh] : options_.meshes) meshes.emplace_back(name, checked_mesh(name, mesh));
     scene_.title = options_.title;
     scene_.mesh = combine(meshes);
-    scene_.time = options_.time;
-    scene_.scheme = scheme_of(options_.time.scheme);
+    for (const DeckStage& stage : stages_of(options_))
+      scene_.stages.push_back({stage.name, stage.begin, *stage.time, stage.scheme()});
     scene_.solver = options_.solver;
     scene_.output = options_.output;
     scene_.checkpoints = options_.checkpoints;
@@ -54,6 +56,7 @@ class SceneMaker {
     make_pairs(names_, scene_, mesh_errors_, warnings_);
     make_obstacles(names_, scene_);
     add_stops(scene_);
+    make_start(names_, scene_);
     check_motions(names_, scene_);
     make_probes();
     check_points();
@@ -92,7 +95,11 @@ class SceneMaker {
 
   /// A node without an equation of its own makes the matrix singular: what bodies do not hold needs inertia, or what holds it.
   void check_points() {
-    const bool has_inertia = scene_.scheme.has_inertia();
+    const auto is_moving = [](const Stage& stage) { return stage.scheme.has_inertia(); };
+    if (std::any_of(scene_.stages.begin(), scene_.stages.end(), is_moving)) check_points(true);
+    if (!std::all_of(scene_.stages.begin(), scene_.stages.end(), is_moving)) check_points(false);
+  }
+  void check_points(bool has_inertia) {
     std::vector<std::array<char, 3>> held(scene_.mesh.mesh.coordinates.size(), {0, 0, 0});
     const auto hold = [&](int node) { held[node] = {1, 1, 1}; };
     for (const Body& body : scene_.bodies) std::for_each(body.nodes.begin(), body.nodes.end(), hold);
@@ -167,6 +174,10 @@ class SceneMaker {
 };
 
 }  // namespace
+
+bool Scene::has_inertia() const {
+  return std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.scheme.has_inertia(); });
+}
 
 std::vector<const ContactNodes*> Scene::contacts() const {
   std::vector<const ContactNodes*> all;

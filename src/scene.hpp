@@ -87,6 +87,22 @@ struct Probe {
   int node;
 };
 
+/// What another run left, by nodes of the scene.
+struct CarriedState {
+  std::vector<char> has;                   ///< whether something is known of a node; the rest is for those
+  std::vector<Vec3<double>> displacement;  ///< [m]
+  std::vector<Vec3<double>> velocity;      ///< [m/s]
+  std::vector<double> pressure;            ///< contact pressure [Pa]
+};
+
+/// A part of a run: a scheme, and how its steps go to its end.
+struct Stage {
+  std::string name;  ///< empty: the only one
+  double begin = 0;
+  TimeOptions time;
+  TimeScheme scheme;
+};
+
 /// What a deck describes. Terms exist only where the deck calls for them: an empty list is an absent effect.
 struct Scene {
   std::string title;
@@ -105,9 +121,9 @@ struct Scene {
   /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
   /// number. Empty: no element has any.
   std::vector<int> first_pressure;
+  std::optional<CarriedState> carried;
   std::vector<Probe> probes;
-  TimeOptions time;
-  TimeScheme scheme;
+  std::vector<Stage> stages;  ///< one after the other; at least one
   SolverOptions solver;
   OutputOptions output;
   CheckpointOptions checkpoints;
@@ -116,6 +132,9 @@ struct Scene {
                        ///< E h the stiffness of a spring, EA/h of a string
   double size;         ///< smallest size of an element of a body or string, or length of a spring [m]
   double extent;       ///< greatest reference coordinate [m]
+
+  double end() const { return stages.back().time.end; }
+  bool has_inertia() const;  ///< in any stage
 
   /// Pairs, then obstacles: all that has multipliers, in their order.
   std::vector<const ContactNodes*> contacts() const;

@@ -35,7 +35,7 @@ Setup::Setup(Deck d, const RCP<const Comm>& comm)
 State Setup::first_state() {
   State state = problem.initial_state();
   if (const std::string fault = problem.begin_step(state, 0); !fault.empty()) throw DeckError(fault);
-  if (scene.scheme.has_inertia()) return state;
+  if (problem.stage().scheme.has_inertia()) return state;
   std::vector<char> closed(scene.n_multipliers, 0);
   std::vector<Vec3<double>> normals;
   const Evaluation at = problem.evaluate(*state.x);

@@ -164,7 +164,11 @@ void StepProblem::find_normal_stiffness() {
 
 State StepProblem::initial_state() {
   State state{0, reference_state(), search_, Teuchos::null, Teuchos::null};
-  start_motion(state);
+  place_bodies(*state.x);
+  if (stage().scheme.has_inertia()) {
+    state.v = initial_velocities(*state.x);
+    state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  }
   if (contacts_.empty()) return state;
 
   const Evaluation at_rest = evaluate(*state.x);
@@ -179,8 +183,10 @@ State StepProblem::initial_state() {
       const int point = contact->pressure_point(k), at = dofs_.local(point),
                 multiplier = p.first_multiplier + static_cast<int>(k);
       if (!dofs_.owned(point) || !(area[at] > 1e-10 * p.tributary_area[k])) continue;
-      const double touch = 1e-8 * p.size;
-      if (gap[at] < -touch) {
+      const double touch = 1e-8 * p.size, carried = scene_.carried ? scene_.carried->pressure[p.secondary_nodes[k]] : 0;
+      if (carried > 0) {
+        x[at] = carried;
+      } else if (gap[at] < -touch) {
         deep[multiplier] = 1;
         depth[multiplier] = -gap[at];
       } else if (gap[at] <= touch) {

@@ -27,9 +27,10 @@ std::string StepProblem::begin_step(const State& from, double t) {
   std::string fault;
   time_ = t;
   dt_ = t - from.time;
+  acting_time_ = dt_ > 0 ? t : just_after(t);
   start_x_ = to_overlap(*from.x);
   if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
-  scheme_ = dt_ > 0 ? scene_.scheme : scene_.scheme.at_rest();
+  scheme_ = dt_ > 0 ? stage().scheme : stage().scheme.at_rest();
   kinematics_ = scheme_.kinematics(dt_);
   start_v_ = from.v.is_null() ? Teuchos::null : to_overlap(*from.v);
   start_a_ = from.a.is_null() ? Teuchos::null : to_overlap(*from.a);
@@ -37,7 +38,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
   move_supports(from, t, fault);
   const double t_force = scheme_.forces == ForceReading::mean ? t : from.time + scheme_.theta * dt_;
   dead_ = dead(t_force, fault);
-  for (auto& follower : followers_) follower.set_time(time_, t_force, fault);
+  for (auto& follower : followers_) follower.set_time(acting_time_, t_force, fault);
   for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_);
   find_gaps_before(*from.x);
   return agreed(*dofs_.comm(), fault);
@@ -46,7 +47,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
 RCP<Vector> StepProblem::dead(double t, std::string& fault) const {
   if (dead_loads_.empty()) return Teuchos::rcp(new Vector(dofs_.owned_map()));
   Vector shares(dofs_.overlap_map());
-  dead_loads_.add(time_, t, data(shares), fault);
+  dead_loads_.add(acting_time_, t, data(shares), fault);
   return owned_sum(shares);
 }
 
@@ -55,14 +56,14 @@ void StepProblem::find_forces_before(double t_before, std::string& fault) {
   Vector internal(dofs_.overlap_map());
   for (const auto& body : bodies_) body->add_force(data(*start_x_), data(internal));
   for (const auto& term : stretches_)
-    if (term.acts_at(time_)) term.add_force(nullptr, data(*start_x_), data(internal));
+    if (term.acts_at(acting_time_)) term.add_force(nullptr, data(*start_x_), data(internal));
   add_springs(*start_x_, internal);
   internal_before_ = owned_sum(internal);
   const auto external = dead(t_before, fault);
   if (!followers_.empty()) {
     Vector shares(dofs_.overlap_map());
     for (auto& follower : followers_) {
-      follower.set_time(time_, t_before, fault);
+      follower.set_time(acting_time_, t_before, fault);
       follower.add_force(data(*start_x_), data(shares));
     }
     external->update(1.0, *owned_sum(shares), 1.0);
@@ -88,7 +89,7 @@ void StepProblem::move_supports(const State& from, double t, std::string& fault)
   double u_acting = 0;
   for (const auto& p : scene_.prescribed) {
     const Support& support = scene_.supports[p.support];
-    if (!support.activity.acts_at(t)) continue;
+    if (!support.activity.acts_at(acting_time_)) continue;
     const Point& X = scene_.mesh.mesh.coordinates[p.node];
     const bool is_mine = dofs_.owned(p.node);
     double u = prescribed_displacement(support, p.axis, X, from.time, t, fault);
@@ -122,7 +123,7 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
     }
   }
   for (const auto& term : stretches_) {
-    if (!term.acts_at(time_)) continue;
+    if (!term.acts_at(acting_time_)) continue;
     const double* at = is_algorithmic ? x : x_theta;
     is_good &=
         with_tangent ? term.add_tangent(x_n, at, is_algorithmic ? 1 : scheme_.theta, f, *matrix_) : term.add_force(x_n, at, f);
@@ -132,7 +133,7 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
 
 void StepProblem::add_springs(const Vector& overlap_x, Vector& internal) {
   for (const auto& spring : springs_) {
-    if (!spring.acts_at(time_)) continue;
+    if (!spring.acts_at(acting_time_)) continue;
     spring.add_force(data(overlap_x), data(internal));
   }
 }
@@ -159,7 +160,7 @@ RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
     Vector shares(dofs_.overlap_map());
     add_springs(at, shares);
     for (const auto& term : stretches_)
-      if (term.is_anchored() && term.acts_at(time_)) term.add_force(x_n, data(stretched_at), data(shares));
+      if (term.is_anchored() && term.acts_at(acting_time_)) term.add_force(x_n, data(stretched_at), data(shares));
     return owned_sum(shares);
   };
   const auto at_theta = is_mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
@@ -178,7 +179,7 @@ RCP<Vector> StepProblem::damping(const Vector& overlap_x) {
 }
 
 RCP<Vector> StepProblem::inertia(const Vector& overlap_x) {
-  if (inertias_.empty()) return Teuchos::null;
+  if (!stage().scheme.has_inertia()) return Teuchos::null;
   Vector force(dofs_.overlap_map());
   const auto acceleration = in_motion(kinematics_.inertia, overlap_x);
   for (const auto& term : inertias_) term.add_force(data(*acceleration), data(force));
@@ -197,7 +198,8 @@ RCP<Vector> StepProblem::external(const Vector& overlap_x, bool with_tangent) {
     }
   }
   const auto sum = owned_sum(shares);
-  sum->update(1.0, *dead_, is_mean ? scheme_.theta : 1.0);
+  const double weight = is_mean ? scheme_.theta : 1;
+  sum->update(weight, *dead_, weight);
   if (is_mean) sum->update(1 - scheme_.theta, *external_before_, 1.0);
   return sum;
 }

@@ -9,7 +9,7 @@
 namespace mortise {
 
 double StepProblem::local_error(const State& from, const State& to) const {
-  if (from.a.is_null() || !scene_.time.error_tolerance) return 0;
+  if (from.a.is_null() || !stage().time.error_tolerance) return 0;
   Vector change(*to.a, Teuchos::Copy);
   change.update(-1.0, *from.a, 1.0);
   const double dt = to.time - from.time;
@@ -31,7 +31,7 @@ bool StepProblem::is_admissible_at_end(const Vector& x) const {
 }
 
 void StepProblem::finish_step(const State& from, State& to) const {
-  if (!scene_.scheme.has_inertia()) return;
+  if (!stage().scheme.has_inertia()) return;
   const auto combined = [&](const Combination& c) {
     const auto sum = Teuchos::rcp(new Vector(dofs_.owned_map()));
     sum->update(1.0, *to.x, -1.0, *from.x, 0.0);  // the increment first, as in the forces
@@ -43,7 +43,7 @@ void StepProblem::finish_step(const State& from, State& to) const {
   };
   to.v = combined(kinematics_.velocity);
   to.a = combined(kinematics_.acceleration);
-  if (!scene_.scheme.is_explicit_in_position) return;
+  if (!stage().scheme.is_explicit_in_position) return;
   to.x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
   to.x->update(dt_, *from.v, 1.0);
 }
@@ -72,32 +72,71 @@ std::pair<double, Vec3<double>> StepProblem::mass_and_centre(const InertiaTerm& 
 }
 
 // Nodes that two bodies share move as the later one of the deck says, those of masses as these.
-void StepProblem::start_motion(State& state) const {
-  if (!scene_.scheme.has_inertia()) return;
-  state.v = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
-  double *x = data(*state.x), *v = data(*state.v);
+void StepProblem::place_bodies(Vector& positions) const {
+  double* x = data(positions);
+  if (const auto& carried = scene_.carried)
+    for (int node = 0; node < dofs_.n_nodes(); ++node)
+      if (carried->has[node] && dofs_.owned(node))
+        for (int i = 0; i < 3; ++i) x[dofs_.local(node) + i] += carried->displacement[node][i];
   for (const auto& term : inertias_) {
-    if (!term.initial()) continue;
-    const InitialOptions& start = *term.initial();
-    const Vec3<double> centre = start.centre ? vec3(*start.centre) : mass_and_centre(term, *reference_state()).second;
-    const Vec3<double> velocity = vec3(start.velocity), spin = vec3(start.angular_velocity);
+    if (!term.initial() || !term.initial()->rotation) continue;
+    const Vec3<double> centre = centre_of_turning(term, *reference_state());
+    const auto [ax, ay, az, degrees] = *term.initial()->rotation;
+    const Vec3<double> axis{ax, ay, az};
+    const auto [sine, cosine] = sine_cosine(degrees);
     for (int node : term.nodes()) {
       if (!dofs_.owned(node)) continue;
-      const Point& X = scene_.mesh.mesh.coordinates[node];
-      Vec3<double> arm = vec3(X) - centre;
+      const Vec3<double> arm = vec3(scene_.mesh.mesh.coordinates[node]) - centre;
+      const Vec3<double> q = centre + turned_about((1 / norm(axis)) * axis, sine, cosine, arm);
+      for (int i = 0; i < 3; ++i) x[dofs_.local(node) + i] = q[i];
+    }
+  }
+}
+
+RCP<Vector> StepProblem::initial_velocities(const Vector& positions) const {
+  const auto velocities = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  const double* x = data(positions);
+  double* v = data(*velocities);
+  for (const auto& term : inertias_) {
+    if (!term.initial()) continue;
+    const Vec3<double> centre = centre_of_turning(term, positions), velocity = vec3(term.initial()->velocity),
+                       spin = vec3(term.initial()->angular_velocity);
+    for (int node : term.nodes()) {
+      if (!dofs_.owned(node)) continue;
       const int at = dofs_.local(node);
-      if (start.rotation) {
-        const auto [ax, ay, az, degrees] = *start.rotation;
-        const Vec3<double> axis{ax, ay, az};
-        const auto [sine, cosine] = sine_cosine(degrees);
-        arm = turned_about((1 / norm(axis)) * axis, sine, cosine, arm);
-        for (int i = 0; i < 3; ++i) x[at + i] = centre[i] + arm[i];
-      }
-      const Vec3<double> moving = velocity + cross(spin, arm);
+      const Vec3<double> moving = velocity + cross(spin, Vec3<double>{x[at], x[at + 1], x[at + 2]} - centre);
       for (int i = 0; i < 3; ++i) v[at + i] = moving[i];
     }
   }
+  if (const auto& carried = scene_.carried)
+    for (int node = 0; node < dofs_.n_nodes(); ++node)
+      if (carried->has[node] && dofs_.owned(node))
+        for (int i = 0; i < 3; ++i) v[dofs_.local(node) + i] += carried->velocity[node][i];
+  return velocities;
+}
+
+Vec3<double> StepProblem::centre_of_turning(const InertiaTerm& term, const Vector& x) const {
+  return term.initial()->centre ? vec3(*term.initial()->centre) : mass_and_centre(term, x).second;
+}
+
+State StepProblem::enter_stage(std::size_t next, const State& left) {
+  const bool had_inertia = !left.v.is_null();
+  stage_ = next;
+  State state = left;
+  if (!stage().scheme.has_inertia()) {
+    state.v = state.a = Teuchos::null;
+  } else {
+    if (!had_inertia) state.v = initial_velocities(*left.x);
+    state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
+  }
+  state.x = Teuchos::rcp(new Vector(*left.x, Teuchos::Copy));
+  for (const auto& contact : contacts_) {
+    const ContactNodes& nodes = contact->nodes();
+    if (nodes.activity.acts_after(state.time)) continue;
+    for (std::size_t k = 0; k < nodes.secondary_nodes.size(); ++k)
+      if (const int point = contact->pressure_point(k); dofs_.owned(point)) data(*state.x)[dofs_.local(point)] = 0;
+  }
+  return state;
 }
 
 RCP<Matrix> StepProblem::mass_matrix() {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Teuchos_Time.hpp>
+#include <algorithm>
 #include <cmath>
 
 #include "assembly/vectors.hpp"
@@ -39,14 +40,15 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& string : scene.strings) stretches_.emplace_back(scene, string, partition, dofs_);
   for (const auto& body : bodies_)
     if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
-  if (scene.scheme.has_inertia()) {
+  if (scene.has_inertia()) {
     for (const auto& body : bodies_) inertias_.emplace_back(scene, *body, dofs_);
     for (const auto& string : scene.strings) inertias_.emplace_back(scene, string, partition, dofs_);
     for (const auto& masses : scene.masses) inertias_.emplace_back(masses, dofs_);
   }
   for (int point : dofs_.overlap_points())
     if (dofs_.size(point) == 1) overlap_pressures_.push_back(dofs_.local(point));
-  scheme_ = scene.scheme.at_rest();
+  scheme_ = stage().scheme.at_rest();
+  acting_time_ = just_after(0);
   kinematics_ = scheme_.kinematics(0);
   dead_ = Teuchos::rcp(new Vector(dofs_.owned_map()));
   identity_rows_.assign(dofs_.n_owned(), 0);
@@ -94,10 +96,16 @@ double StepProblem::strain_energy(const double* x) const {
   double energy = 0;
   for (const auto& body : bodies_) energy += body->strain_energy(x);
   for (const auto& spring : springs_)
-    if (spring.acts_at(time_)) energy += spring.energy(x);
+    if (spring.acts_at(acting_time_)) energy += spring.energy(x);
   for (const auto& term : stretches_)
-    if (term.acts_at(time_)) energy += term.energy(x);
+    if (term.acts_at(acting_time_)) energy += term.energy(x);
   return energy;
+}
+
+bool StepProblem::has_temporary_springs() const {
+  const auto comes_or_goes = [](const auto& spring) { return !spring.activity.always(); };
+  return std::any_of(scene_.springs.begin(), scene_.springs.end(), comes_or_goes) ||
+         std::any_of(scene_.node_springs.begin(), scene_.node_springs.end(), comes_or_goes);
 }
 
 void StepProblem::build_graph() {
@@ -119,7 +127,7 @@ void StepProblem::build_graph() {
 void StepProblem::refresh_constants() {
   ConstantPart now{
       scheme_.theta, dampings_.empty() ? 0.0 : kinematics_.damping.dq, inertias_.empty() ? 0.0 : kinematics_.inertia.dq, {}};
-  for (const auto& spring : springs_) now.acting.push_back(spring.acts_at(time_));
+  for (const auto& spring : springs_) now.acting.push_back(spring.acts_at(acting_time_));
   if (constant_ == now) return;
   matrix_->clear();
   bool is_empty = true;
@@ -132,7 +140,7 @@ void StepProblem::refresh_constants() {
     is_empty = false;
   }
   for (const auto& spring : springs_)
-    if (spring.acts_at(time_)) {
+    if (spring.acts_at(acting_time_)) {
       spring.add_stiffness(now.theta, *matrix_);
       is_empty = false;
     }

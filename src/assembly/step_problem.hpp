@@ -82,9 +82,18 @@ class StepProblem {
   RCP<Vector> reference_state() const;
 
   /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section
-  /// 8). In dynamics positions and velocities are those of the deck's initial conditions; accelerations are 0, still to be found.
+  /// 8), as does what another run left under pressure. Bodies are where, and in dynamics move, as the deck's initial conditions say; accelerations are 0,
+  /// still to be found.
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
+
+  /// The stage in which steps are; the first one until another is entered.
+  const Stage& stage() const { return scene_.stages[stage_]; }
+  void set_stage(std::size_t stage) { stage_ = stage; }
+
+  /// Makes a stage the one in which steps are, and its start of the state that the stage before has left: motion begins, with the
+  /// deck's initial velocities, or stops, and what does not act any more has no pressure. Accelerations are still to be found.
+  State enter_stage(std::size_t stage, const State& left);
 
   /// Begins a step from an accepted state to time `t`: supports, loads and formulas are evaluated there, the search is that of
   /// the state (whatever a rejected attempt or another run left), and from there on surfaces are searched as far as they move, so
@@ -135,6 +144,9 @@ class StepProblem {
   /// Strain energy of this rank's elements and of its springs that act now [J].
   double strain_energy(const double* x) const;
 
+  /// Whether springs come or go in the run.
+  bool has_temporary_springs() const;
+
   /// Kinetic energy of all ranks [J] and momenta M v [kg m/s], owned. @param v owned, or null: 0
   double kinetic_energy(const RCP<Vector>& v) const;
   RCP<Vector> momenta(const Vector& v) const;
@@ -170,7 +182,9 @@ class StepProblem {
   double norm_of_forces(const Vector& f) const;
   void build_graph();
   void refresh_constants();
-  void start_motion(State& state) const;
+  void place_bodies(Vector& x) const;
+  RCP<Vector> initial_velocities(const Vector& x) const;
+  Vec3<double> centre_of_turning(const InertiaTerm& term, const Vector& x) const;
   void move_supports(const State& from, double t, std::string& fault);
   void add_springs(const Vector& overlap_x, Vector& internal);
   RCP<Vector> in_motion(const Combination& combination, const Vector& overlap_x) const;
@@ -200,7 +214,7 @@ class StepProblem {
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
   void find_normal_stiffness();
   double complementarity_constant(const ContactNodes& nodes, std::size_t k, double covered_area) const;
-  bool acts(const ContactTerm& contact) const { return contact.nodes().activity.acts_at(time_) || dt_ == 0; }
+  bool acts(const ContactTerm& contact) const { return contact.nodes().activity.acts_at(acting_time_) || dt_ == 0; }
   std::optional<double> start_of_closing(const ContactNodes& nodes, std::size_t k, int at, double pressure) const;
 
   const Scene& scene_;
@@ -228,7 +242,9 @@ class StepProblem {
   RCP<Vector> start_x_;                   // overlap positions at the start of the step
   Search search_;
   RCP<Vector> search_x_;      // its positions on the overlap
+  std::size_t stage_ = 0;
   double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves
+  double acting_time_ = 0;    // at which activities are asked: the end of the step; without a step, of the one to come
   TimeScheme scheme_;         // of the step; without a step all is evaluated where it stands
   StepKinematics kinematics_;
   RCP<Vector> start_v_, start_a_;                        // overlap, at the start of the step; null in statics

@@ -13,6 +13,7 @@
 #include "deck/motion_checks.hpp"
 #include "deck/names.hpp"
 #include "deck/quantities.hpp"
+#include "deck/stages.hpp"
 #include "errors.hpp"
 
 namespace mortise {
@@ -38,6 +39,7 @@ class CrossChecks {
     check_plane_bodies();
     check_sets();
     check_loads();
+    check_stages(source_, options_, findings_);
     check_motion(source_, options_, findings_);
     check_contact();
     check_quantities();
@@ -215,34 +217,30 @@ class CrossChecks {
   }
 
   void check_times() {
-    const TimeOptions& time = options_.time;
-    if (!(time.end > 0)) return;  // missing or faulty, and reported
-    for (const auto& [name, expected] : options_.expected) {
-      if (expected.at_time && *expected.at_time != time.end &&
-          std::find(time.stops.begin(), time.stops.end(), *expected.at_time) == time.stops.end()) {
-        std::vector<std::string> stops;
-        for (const double stop : time.stops) stops.push_back(shortest(stop));
-        stops.push_back(shortest(time.end));
-        report("D08", {"expected", name, "at time"}, "must be one of time > \"stops\" or the end: " + join(stops));
-      }
-      if (expected.mean_from && *expected.mean_from >= time.end) {
-        report("D08", {"expected", name, "mean from"}, "must be before time > \"end\" = " + shortest(time.end));
-      }
+    const std::vector<DeckStage> stages = stages_of(options_);
+    const DeckStage& last = stages.back();
+    std::vector<double> stops;
+    for (const DeckStage& stage : stages) {
+      if (!(stage.time->end > 0)) return;  // missing or faulty, and reported
+      stops.insert(stops.end(), stage.time->stops.begin(), stage.time->stops.end());
+      if (stops.empty() || stops.back() != stage.time->end) stops.push_back(stage.time->end);
     }
-    check_starts("supports", options_.supports);
-    check_starts("springs", options_.springs);
-    check_starts("loads", options_.loads);
-    check_starts("contact", options_.contact);
-    check_starts("obstacles", options_.obstacles);
-    check_starts("rods", options_.rods);
-  }
-
-  /// What starts when the run is over does nothing.
-  template <class Options>
-  void check_starts(const std::string& list, const Named<Options>& entries) {
-    for (const auto& [name, entry] : entries)
-      if (entry.activity.start && *entry.activity.start >= options_.time.end)
-        report("D08", {list, name, "start"}, "must be before time > \"end\" = " + shortest(options_.time.end));
+    const std::string before_the_end = "must be before " + last.in_words("end") + " = " + shortest(last.time->end);
+    for (const auto& [name, expected] : options_.expected) {
+      if (expected.at_time && std::find(stops.begin(), stops.end(), *expected.at_time) == stops.end()) {
+        std::vector<std::string> allowed;
+        for (const double stop : stops) allowed.push_back(shortest(stop));
+        const char* where = options_.stages.empty() ? "time > \"stops\" or the end" : "the \"stops\" and ends of the stages";
+        report("D08", {"expected", name, "at time"}, std::string("must be one of ") + where + ": " + join(allowed));
+      }
+      if (expected.mean_from && *expected.mean_from >= last.time->end)
+        report("D08", {"expected", name, "mean from"}, before_the_end);
+    }
+    // What starts when the run is over does nothing.
+    for_each_acting_list(options_, [&](const std::string& list, const auto& entries) {
+      for (const auto& [name, entry] : entries)
+        if (entry.activity.start && *entry.activity.start >= last.time->end) report("D08", {list, name, "start"}, before_the_end);
+    });
   }
 
   /// A table is called in formulas, so its name must be a word that means nothing else there.

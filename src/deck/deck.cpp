@@ -8,6 +8,7 @@
 #include "deck/descriptions.hpp"
 #include "deck/reader.hpp"
 #include "deck/source.hpp"
+#include "deck/stages.hpp"
 #include "errors.hpp"
 
 namespace mortise {
@@ -51,6 +52,7 @@ Deck Deck::from_source(const std::filesystem::path& file, std::shared_ptr<const 
   Reader::read_list(*source, source->root(), {}, options, findings);
   check_across(*source, options, findings);
   throw_if_any(findings.problems);
+  set_pauses(options);
   return Deck(file, source, std::move(options));
 }
 

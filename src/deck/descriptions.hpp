@@ -156,6 +156,14 @@ void describe(Fields& f, TimeOptions& o) {
 }
 
 template <class Fields>
+void describe(Fields& f, StageOptions& o) {
+  describe(f, static_cast<TimeOptions&>(o));
+  f.optional("without", o.without, anything, "",
+             "entries of `supports`, `springs`, `loads`, `contact`, `obstacles` and `rods` that do not act in this stage, each "
+             "written list/name, as loads/gravity; all others do");
+}
+
+template <class Fields>
 void describe(Fields& f, SolverOptions& o) {
   const Choices<LinearSolverKind> kinds{
       {"auto", LinearSolverKind::automatic}, {"direct", LinearSolverKind::direct}, {"iterative", LinearSolverKind::iterative}};
@@ -251,7 +259,12 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("rods", o.rods, Presence::optional, "rigid rods without mass from a point in space to a node");
   f.named("initial conditions", o.initial_conditions, Presence::optional,
           "how bodies, masses and strings move at the start, each named as its entry there; without it they are at rest");
-  f.list("time", o.time, Presence::required, "how the run goes from time 0 to its end");
+  f.list("time", o.time, Presence::optional, "how the run goes from time 0 to its end");
+  f.named("stages", o.stages, Presence::filled_if_present,
+          "in place of `time`: parts of the run, one after the other, each with a scheme and steps of its own. Its \"end\" is a "
+          "time of the run, the next stage begins there with the state that it left. Velocities of `initial conditions` begin "
+          "with a stage that has inertia where none had before; a stage without inertia stops all motion");
+  f.exactly_one_of({"time", "stages"});
   f.list("solver", o.solver, Presence::optional, "Newton's method and the linear solver");
   f.list("output", o.output, Presence::optional, "what is written to results.e");
   f.list("checkpoints", o.checkpoints, Presence::optional, "how often the run is kept, for `mortise restart` to go on from");

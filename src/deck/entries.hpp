@@ -39,6 +39,15 @@ inline std::vector<std::string> plane_strain_supports(const DeckOptions& options
   return names;
 }
 
-inline bool has_inertia(const DeckOptions& options) { return scheme_of(options.time.scheme).has_inertia(); }
+/// f(list, entries) for each list of entries that have an `activity`.
+template <class Deck, class Function>
+void for_each_acting_list(Deck& options, Function f) {
+  f("supports", options.supports);
+  f("springs", options.springs);
+  f("loads", options.loads);
+  f("contact", options.contact);
+  f("obstacles", options.obstacles);
+  f("rods", options.rods);
+}
 
 }  // namespace mortise

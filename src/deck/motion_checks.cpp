@@ -4,6 +4,7 @@
 #include <set>
 
 #include "deck/entries.hpp"
+#include "deck/stages.hpp"
 
 namespace mortise {
 namespace {
@@ -14,15 +15,16 @@ class MotionChecks {
       : source_(source),
         options_(options),
         findings_(findings),
-        scheme_(scheme_of(options.time.scheme)),
-        by_scheme_("time > \"scheme\" = " + in_quotes(name_of_kind(options.time.scheme))) {}
+        stages_(stages_of(options)),
+        moving_(std::find_if(stages_.begin(), stages_.end(), [](const DeckStage& s) { return s.scheme().has_inertia(); })),
+        is_moving_(moving_ != stages_.end()) {}
 
   void run() {
     check_body_forces();
     check_bodies();
     check_strings();
     check_initial_conditions();
-    check_scheme();
+    for (const DeckStage& stage : stages_) check_scheme(stage);
   }
 
  private:
@@ -45,17 +47,17 @@ class MotionChecks {
   void check_bodies() {
     for (const auto& [name, body] : options_.bodies) {
       if (body.rayleigh.mass > 0) check_density(body, "\"rayleigh mass\" of body " + in_quotes(name) + " needs it");
-      if (scheme_.has_inertia()) check_density(body, by_scheme_ + " needs it");
-      if (!scheme_.has_inertia() && !(body.rayleigh.mass > 0) && is_set("bodies", name, "mass"))
+      if (is_moving_) check_density(body, moving_->with_scheme() + " needs it");
+      if (!is_moving_ && !(body.rayleigh.mass > 0) && is_set("bodies", name, "mass"))
         report("D13", {"bodies", name, "mass"},
                "is set but unused: it has a meaning only with \"rayleigh mass\" > 0 and in dynamics");
-      check_formulation(name, body);
+      for (const DeckStage& stage : stages_) check_formulation(name, body, stage);
     }
   }
 
   void check_strings() {
     for (const auto& [name, string] : options_.strings)
-      if (scheme_.has_inertia()) check_density(name, string, by_scheme_ + " needs it");
+      if (is_moving_) check_density(name, string, moving_->with_scheme() + " needs it");
   }
 
   /// What moves by its mass needs a density; each material and string is told once.
@@ -76,27 +78,32 @@ class MotionChecks {
 
   void check_initial_conditions() {
     const std::vector<std::string> names = moving_names(options_);
-    for (const auto& [name, unused] : options_.initial_conditions) {
+    for (const auto& [name, initial] : options_.initial_conditions) {
       if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end())
         report("D14", {"initial conditions", name}, not_among("there is no body " + in_quotes(name), name, names));
-      if (!scheme_.has_inertia())
+      if (!is_moving_ && !initial.state)
         report("D13", {"initial conditions", name},
-               "is set but unused: it has a meaning only in dynamics, and time > \"scheme\" is " +
-                   in_quotes(name_of_kind(options_.time.scheme)));
+               "is set but unused: it has a meaning only in dynamics, and " +
+                   (options_.stages.empty() ? "time > \"scheme\" is " + in_quotes(name_of_kind(options_.time.scheme))
+                                            : "no stage has inertia"));
     }
   }
 
-  void check_scheme() {
-    const SchemeKind& kind = options_.time.scheme;
-    const bool has_contact = !contact_names(options_).empty();
-    if (const std::string fault = instability(kind, has_contact && !is_redistributed()); !fault.empty())
-      report("D19", {"time", "scheme"}, fault);
-    if (!options_.contact.empty() && scheme_.has_discrete_contact)
-      report("D19", {"time", "scheme"},
+  void check_scheme(const DeckStage& stage) {
+    const auto has_any = [&](const std::string& list, const auto& entries) {
+      return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return stage.has(list, entry.first); });
+    };
+    const bool has_pairs = has_any("contact", options_.contact);
+    const bool has_contact = has_pairs || has_any("obstacles", options_.obstacles) || has_any("rods", options_.rods);
+    const TimeScheme scheme = stage.scheme();
+    if (const std::string fault = instability(stage.time->scheme, has_contact && !is_redistributed()); !fault.empty())
+      report("D19", stage.at("scheme"), fault);
+    if (has_pairs && scheme.has_discrete_contact)
+      report("D19", stage.at("scheme"),
              "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
-    if (scheme_.is_explicit_in_position &&
-        (has_contact || !options_.supports.empty() || !plane_strain_supports(options_).empty()))
-      report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
+    if (scheme.is_explicit_in_position &&
+        (has_contact || has_any("supports", options_.supports) || !plane_strain_supports(options_).empty()))
+      report("D19", stage.at("scheme"), "takes no supports and no contact, obstacles or rods: it is explicit");
   }
 
   /// Whether no mass stands at nodes that touch.
@@ -107,19 +114,22 @@ class MotionChecks {
   }
 
   /// Which formulations know the forces of a scheme.
-  void check_formulation(const std::string& name, const BodyOptions& body) {
-    if (scheme_.forces == ForceReading::algorithmic && body.formulation != FormulationKind::standard)
+  void check_formulation(const std::string& name, const BodyOptions& body, const DeckStage& stage) {
+    const ForceReading forces = stage.scheme().forces;
+    if (forces == ForceReading::algorithmic && body.formulation != FormulationKind::standard)
       report("D19", {"bodies", name, "formulation"},
-             "must be \"standard\" for " + by_scheme_ + ", whose stress is that of displacement elements");
-    if (scheme_.forces == ForceReading::mean && body.formulation == FormulationKind::mixed)
-      report("D19", {"bodies", name, "formulation"}, "cannot be \"mixed\" where " + by_scheme_ + " takes the mean of two forces");
+             "must be \"standard\" for " + stage.with_scheme() + ", whose stress is that of displacement elements");
+    if (forces == ForceReading::mean && body.formulation == FormulationKind::mixed)
+      report("D19", {"bodies", name, "formulation"},
+             "cannot be \"mixed\" where " + stage.with_scheme() + " takes the mean of two forces");
   }
 
   const DeckSource& source_;
   const DeckOptions& options_;
   Findings& findings_;
-  const TimeScheme scheme_;
-  const std::string by_scheme_;
+  const std::vector<DeckStage> stages_;
+  const std::vector<DeckStage>::const_iterator moving_;  ///< the first stage with inertia
+  const bool is_moving_;
   std::set<std::vector<std::string>> told_;  ///< of missing densities
 };
 

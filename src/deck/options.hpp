@@ -86,6 +86,11 @@ struct TimeOptions {
   std::vector<double> stops;              ///< times that a step must hit
 };
 
+/// A part of a run with a scheme and steps of its own; its times are those of the run.
+struct StageOptions : TimeOptions {
+  std::vector<std::string> without;  ///< what does not act in it: "list/name"
+};
+
 enum class LinearSolverKind { automatic, direct, iterative };
 
 struct SolverOptions {
@@ -156,7 +161,8 @@ struct DeckOptions {
   Named<ObstacleOptions> obstacles;
   Named<RodOptions> rods;
   Named<InitialOptions> initial_conditions;  ///< by body, masses or string
-  TimeOptions time;
+  TimeOptions time;                          ///< of the only stage, where there are no `stages`
+  Named<StageOptions> stages;
   SolverOptions solver;
   OutputOptions output;
   CheckpointOptions checkpoints;

@@ -2,6 +2,8 @@
 #include "deck/reader.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 
 #include "errors.hpp"
 
@@ -66,16 +68,16 @@ void Reader::formula(const std::string& name, std::optional<std::string>& target
 
 void Reader::exactly_one_of(const std::vector<std::string>& names) {
   checks_.push_back([this, names] {
-    std::vector<const DeckParameter*> set;
+    std::map<std::pair<int, int>, std::string> set;  // in the order of the text
     for (const std::string& name : names) {
       if (failed_.count(name) > 0) return;
-      if (const DeckParameter* parameter = list_.parameter(name)) set.push_back(parameter);
+      if (const DeckParameter* parameter = list_.parameter(name)) set[{parameter->place.line, parameter->place.column}] = name;
+      if (const DeckList* below = list_.list(name)) set[{below->place.line, below->place.column}] = name;
     }
     const std::string demand = "exactly one of " + quoted_names(names) + " must be set";
     if (set.empty()) fail_here("D12", demand + ", none is");
     if (set.size() < 2) return;
-    std::sort(set.begin(), set.end());  // by address: the parameters of a list stand in the order of the text
-    fail("D12", set[1]->name, demand + ", but " + in_quotes(set[0]->name) + " is set already");
+    fail("D12", std::next(set.begin())->second, demand + ", but " + in_quotes(set.begin()->second) + " is set already");
   });
 }
 

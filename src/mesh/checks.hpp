@@ -4,7 +4,7 @@
 //
 //   the file          M01 not an Exodus file               M02 not three-dimensional        M03 no nodes or no elements
 //                     M04 truncated or damaged             M05 a part cannot be read        M06 too large for 32-bit counting
-//                     M07 its sha256 is not the deck's
+//                     M07 its sha256 is not the deck's      M08 no results in it
 //   elements, nodes   M12 element type not supported       M13 node out of range            M14 a node twice in one element
 //                     M16 coordinate not finite            M17 node without element         M18 coordinate too large
 //                     M21 Jacobian not positive

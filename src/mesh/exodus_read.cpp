@@ -42,7 +42,43 @@ class ExodusReader {
     return std::move(mesh_);
   }
 
+  MeshFrame read_last_frame() {
+    MeshFrame frame;
+    frame.mesh = read();
+    const auto n_frames = static_cast<int>(std::max<std::int64_t>(0, ex_inquire_int(id_, EX_INQ_TIME)));
+    if (n_frames == 0) errors_.add("M08", "holds no results: not one frame");
+    errors_.throw_if_any();
+    require(ex_get_time(id_, n_frames, &frame.time), "the time of the last frame");
+    frame.nodal = variables(EX_NODAL, n_frames, frame.mesh.coordinates.size());
+    frame.global = variables(EX_GLOBAL, n_frames, 1);
+    return frame;
+  }
+
  private:
+  /// @param n_values of each, where there is not one array of all
+  std::vector<MeshVariable> variables(ex_entity_type type, int frame, std::size_t n_values) {
+    int n = 0;
+    require(ex_get_variable_param(id_, type, &n), "the number of variables");
+    std::vector<MeshVariable> variables(static_cast<std::size_t>(std::max(n, 0)));
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+      std::vector<char> name(static_cast<std::size_t>(name_length_) + 1, 0);
+      require(ex_get_variable_name(id_, type, static_cast<int>(v) + 1, name.data()), "the name of a variable");
+      variables[v] = {name.data(), std::vector<double>(n_values)};
+    }
+    if (type == EX_GLOBAL) {
+      std::vector<double> all(variables.size());
+      if (!all.empty())
+        require(ex_get_var(id_, frame, type, 1, 1, static_cast<std::int64_t>(all.size()), all.data()), "global variables");
+      for (std::size_t v = 0; v < all.size(); ++v) variables[v].values[0] = all[v];
+    } else {
+      for (std::size_t v = 0; v < variables.size(); ++v)
+        require(ex_get_var(id_, frame, type, static_cast<int>(v) + 1, 1, static_cast<std::int64_t>(n_values),
+                           variables[v].values.data()),
+                variables[v].name);
+    }
+    return variables;
+  }
+
   /// Says that a part cannot be read, and stops: what follows would build on it.
   void require(int status, const std::string& what) {
     if (status >= 0) return;
@@ -200,14 +236,15 @@ void check_header(const NetcdfHeader& header, MeshErrors& errors) {
   errors.throw_if_any();
 }
 
-/// All that the library does for a mesh.
+/// All that the library does, with a reader of the open file.
 /// @throws MeshError
-Mesh read_by_library(const std::filesystem::path& file) {
+template <class Read>
+auto read_by_library(const std::filesystem::path& file, Read read) {
   const ExodusFile exodus = open_exodus(file);
   MeshErrors errors(file.string());
   if (exodus.id() < 0) errors.add("M01", fmt::format("this is not an Exodus file: {}", exodus_reason()));
   errors.throw_if_any();
-  return ExodusReader(exodus.id(), file.string()).read();
+  return read(ExodusReader(exodus.id(), file.string()));
 }
 
 /// What reading an honest file of that size never needs; a damaged one is to be given up within 2 s.
@@ -217,18 +254,19 @@ ChildLimits limits_for(std::uint64_t n_bytes) {
   return {seconds, 30 * seconds, (std::uint64_t{2} << 30) + 100 * n_bytes};  // a hundredfold: netCDF-4 may be compressed
 }
 
-}  // namespace
-
-Mesh read_exodus(const std::filesystem::path& file) {
+/// Bytes of what `read` makes of the file, in a child process: damaged files make the library crash, hang or swallow memory.
+/// @throws MeshError, FileError
+template <class Read>
+std::string read_in_child(const std::filesystem::path& file, Read read) {
   MeshErrors errors(file.string());
   const NetcdfHeader header = read_netcdf_header(file);
   check_header(header, errors);
 
   constexpr char good = 'm', bad = 'e';  // at the end, where it moves nothing
-  const auto read = [&] {
+  const auto work = [&] {
     std::string answer;
     try {
-      answer = bytes_of(read_by_library(file));
+      answer = bytes_of(read_by_library(file, read));
       answer += good;
     } catch (const MeshError& error) {
       answer = error.what();
@@ -236,16 +274,34 @@ Mesh read_exodus(const std::filesystem::path& file) {
     }
     return answer;
   };
-  ChildResult result = run_in_child(read, limits_for(header.n_bytes));
+  ChildResult result = run_in_child(work, limits_for(header.n_bytes));
   if (!result.failure.empty())
     errors.add("M04", fmt::format("the mesh library fails on it ({}): the file is damaged", result.failure));
   errors.throw_if_any();
   const char outcome = result.bytes.at(result.bytes.size() - 1);
   result.bytes.pop_back();
   if (outcome == bad) throw MeshError(result.bytes);
-  Mesh mesh = mesh_of(result.bytes);
+  return std::move(result.bytes);
+}
+
+}  // namespace
+
+Mesh read_exodus(const std::filesystem::path& file) {
+  Mesh mesh = mesh_of(read_in_child(file, [](ExodusReader reader) { return reader.read(); }));
   check_mesh(mesh);
   return mesh;
+}
+
+MeshFrame read_last_frame(const std::filesystem::path& file) {
+  MeshFrame frame = frame_of(read_in_child(file, [](ExodusReader reader) { return reader.read_last_frame(); }));
+  check_mesh(frame.mesh);
+  return frame;
+}
+
+const std::vector<double>* MeshFrame::at_nodes(const std::string& name) const {
+  for (const MeshVariable& variable : nodal)
+    if (variable.name == name) return &variable.values;
+  return nullptr;
 }
 
 }  // namespace mortise

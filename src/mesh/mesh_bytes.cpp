@@ -111,23 +111,54 @@ void members(Archive& archive, Mesh& mesh) {
   archive.entities(mesh.node_sets);
 }
 
-}  // namespace
+template <class Archive>
+void members(Archive& archive, MeshVariable& variable) {
+  archive.plain(variable.name);
+  archive.plain(variable.values);
+}
 
-std::string bytes_of(const Mesh& mesh) {
+template <class Archive>
+void members(Archive& archive, MeshFrame& frame) {
+  members(archive, frame.mesh);
+  archive.number(frame.time);
+  archive.entities(frame.nodal);
+  archive.entities(frame.global);
+}
+
+template <class Content>
+Content unpacked(const std::string& bytes) {
+  Unpacker unpacker(bytes);
+  Content content;
+  members(unpacker, content);
+  unpacker.finish();
+  return content;
+}
+
+std::size_t expected_size(const Mesh& mesh) {
   // Nearly all of it is nodes and elements; sets find room in the rest.
   const std::size_t n = mesh.coordinates.size() * (sizeof(Point) + sizeof(std::int64_t)) +
                         mesh.element_numbers.size() * (8 * sizeof(int) + sizeof(std::int64_t));
-  Packer packer(n + n / 8);
-  members(packer, const_cast<Mesh&>(mesh));  // the packer only reads
+  return n + n / 8;
+}
+
+template <class Content>
+std::string packed(const Content& content, std::size_t expected_size) {
+  Packer packer(expected_size);
+  members(packer, const_cast<Content&>(content));  // the packer only reads
   return std::move(packer).bytes();
 }
 
-Mesh mesh_of(const std::string& bytes) {
-  Unpacker unpacker(bytes);
-  Mesh mesh;
-  members(unpacker, mesh);
-  unpacker.finish();
-  return mesh;
+}  // namespace
+
+std::string bytes_of(const Mesh& mesh) { return packed(mesh, expected_size(mesh)); }
+
+std::string bytes_of(const MeshFrame& frame) {
+  std::size_t n = expected_size(frame.mesh);
+  for (const MeshVariable& variable : frame.nodal) n += variable.values.size() * sizeof(double);
+  return packed(frame, n);
 }
+
+Mesh mesh_of(const std::string& bytes) { return unpacked<Mesh>(bytes); }
+MeshFrame frame_of(const std::string& bytes) { return unpacked<MeshFrame>(bytes); }
 
 }  // namespace mortise

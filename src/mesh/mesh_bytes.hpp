@@ -3,15 +3,17 @@
 
 #include <string>
 
-#include "mesh/mesh.hpp"
+#include "mesh/exodus.hpp"
 
 namespace mortise {
 
-/// All of a mesh, in this machine's own representation.
+/// All of a mesh, or of a frame with its mesh, in this machine's own representation.
 std::string bytes_of(const Mesh& mesh);
+std::string bytes_of(const MeshFrame& frame);
 
-/// The mesh that `bytes_of` turned into `bytes`, bit for bit.
+/// What `bytes_of` turned into `bytes`, bit for bit.
 /// @throws std::logic_error if they hold anything else
 Mesh mesh_of(const std::string& bytes);
+MeshFrame frame_of(const std::string& bytes);
 
 }  // namespace mortise

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::string_view first_line = "mortise checkpoint, format 3\n";
+constexpr std::string_view first_line = "mortise checkpoint, format 4\n";
 constexpr std::string_view any_first_line = "mortise checkpoint, format ";
 constexpr std::string_view file_stem = "checkpoint.";
 
@@ -72,6 +72,8 @@ void members(const Visit& visit, C& c) {
   visit("meshes", c.origin.meshes);
   visit("time", c.time);
   visit("dt", c.dt);
+  visit("stage", c.stage);
+  visit("enters stage", c.enters_stage);
   visit("pending cuts", c.pending_cuts);
   visit("closed nodes", c.n_closed);
   visit("steps", c.done.steps);
@@ -138,6 +140,8 @@ Checkpoint make_checkpoint(const Origin& origin, const StepProblem& problem, con
   c.origin = origin;
   c.time = at.state.time;
   c.dt = at.dt;
+  c.stage = at.stage;
+  c.enters_stage = at.enters_stage;
   c.pending_cuts = at.pending_cuts;
   c.n_closed = at.n_closed;
   c.done = at.counts;
@@ -166,9 +170,12 @@ MarchState resume(const Checkpoint& c, StepProblem& problem) {
   }
   if (!c.search_x.empty()) at.state.search = {problem.scatter(c.search_x), c.search_reach, c.search_inward};
   at.dt = c.dt;
+  at.stage = c.stage;
+  at.enters_stage = c.enters_stage;
   at.pending_cuts = c.pending_cuts;
   at.n_closed = c.n_closed;
   at.counts = c.done;
+  problem.set_stage(static_cast<std::size_t>(std::max(c.stage, 0)));
   problem.begin_step(at.state, c.time);  // repeats the search
   problem.resume_counts(c.work, c.contact);
   return at;

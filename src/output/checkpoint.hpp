@@ -23,8 +23,10 @@ struct Origin {
 /// The state of a run between two steps. Unknowns by global number: positions [m], then pressures [Pa].
 struct Checkpoint {
   Origin origin;
-  double time = 0;  ///< of the state
-  double dt = 0;    ///< next step
+  double time = 0;            ///< of the state
+  double dt = 0;              ///< next step
+  int stage = 0;              ///< see MarchState
+  bool enters_stage = false;  ///< likewise
   int pending_cuts = 0;
   int n_closed = 0;  ///< nodes in contact
   MarchCounts done;

@@ -88,6 +88,7 @@ void History::observe(StepProblem& problem, const State& before, const State& no
   if (record.step == 0) {
     open_ledger(ledger_, problem, now, at);
   } else {
+    if (record.enters_stage) enter_stage(ledger_, problem, before);
     add_step(ledger_, problem, before, now, at);
   }
 

@@ -110,9 +110,26 @@ void open_ledger(Ledger& ledger, StepProblem& problem, const State& state, const
   ledger.angular_balance = ledger.angular_momentum;
 }
 
+void enter_stage(Ledger& ledger, StepProblem& problem, const State& start) {
+  const double kinetic_before = ledger.kinetic_energy;
+  const std::vector<double> linear_before = ledger.linear_momentum, angular_before = ledger.angular_momentum;
+  ledger.kinetic_energy = problem.kinetic_energy(start.v);
+  ledger.external += ledger.kinetic_energy - kinetic_before;
+  find_momenta(ledger, problem, start);
+  for (int i = 0; i < 3; ++i) {
+    ledger.linear_balance[i] += ledger.linear_momentum[i] - linear_before[i];
+    ledger.angular_balance[i] += ledger.angular_momentum[i] - angular_before[i];
+  }
+}
+
 void add_step(Ledger& ledger, StepProblem& problem, const State& before, const State& now, const Evaluation& at) {
   const Vector dq = increment(problem, before, now);
-  const double strain_before = ledger.strain_energy, kinetic_before = ledger.kinetic_energy;
+  const double kinetic_before = ledger.kinetic_energy;
+  double strain_before = ledger.strain_energy;
+  if (problem.has_temporary_springs()) {  // what those that come and go store is given or taken from outside
+    strain_before = strain_energy(problem, before);
+    ledger.external += strain_before - ledger.strain_energy;
+  }
   ledger.strain_energy = strain_energy(problem, now);
   ledger.kinetic_energy = problem.kinetic_energy(now.v);
 

@@ -29,6 +29,9 @@ struct Ledger {
 /// Begins with the initial state. Collective, as all that follows.
 void open_ledger(Ledger& ledger, StepProblem& problem, const State& state, const Evaluation& at);
 
+/// Enters a stage at its start: what it gives to or takes from the motion is external work, and an impulse in the balance.
+void enter_stage(Ledger& ledger, StepProblem& problem, const State& start);
+
 /// Adds an accepted step. @param at the evaluation that the step ended with
 void add_step(Ledger& ledger, StepProblem& problem, const State& before, const State& now, const Evaluation& at);
 

@@ -71,10 +71,9 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
     case Field::status:
       return {contact_status(problem, at)};
-    default: {  // of motion; statics, where the deck reader refuses them, has none
+    default: {  // of motion: in a static stage all rests
       const RCP<Vector>& rate = field == Field::velocity ? state.v : state.a;
-      if (rate.is_null()) throw std::logic_error(std::string("no field \"") + entry_of(field).name + "\" in a static state");
-      return by_axis(problem.gather(*rate), n);
+      return rate.is_null() ? NodalField(3, std::vector<double>(n, 0.0)) : by_axis(problem.gather(*rate), n);
     }
   }
 }

@@ -42,8 +42,10 @@ std::string on_off(bool on) { return on ? "on" : "off"; }
 
 /// When something acts, in words; nothing if always.
 std::string in_words(const Activity& activity) {
-  return (activity.start ? fmt::format(", after t = {}", *activity.start) : "") +
-         (activity.end ? fmt::format(", up to t = {}", *activity.end) : "");
+  std::string text = (activity.start ? fmt::format(", after t = {}", *activity.start) : "") +
+                     (activity.end ? fmt::format(", up to t = {}", *activity.end) : "");
+  for (const auto& [begin, end] : activity.pauses) text += fmt::format(", not from t = {} to {}", begin, end);
+  return text;
 }
 
 /// Supports, springs, loads and damping: each kind on or off, then each entry with its times.
@@ -124,6 +126,12 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       text += fmt::format("mesh \"{}\" recipe {}\n", name, name_of_kind(*mesh.recipe));
     }
   }
+  for (const auto& [name, initial] : deck.options().initial_conditions) {
+    if (!initial.state) continue;
+    fs::path file = deck.file().parent_path() / *initial.state;
+    if (fs::is_directory(file)) file /= "results.e";
+    text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
+  }
   const int n_q = 3 * problem.dofs().n_nodes();
   text += fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements)\nelements {}\n",
                       problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers,
@@ -139,7 +147,11 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
                         word_for(formulation_names, body.formulation), word_for(tangent_names, body.tangent));
   const auto is_rod = [](const Obstacle& o) { return o.is_two_sided; };
   const auto n_rods = std::count_if(scene.obstacles.begin(), scene.obstacles.end(), is_rod);
-  text += fmt::format("  time scheme: {}\n  inertia: {}\n", name_of_kind(scene.time.scheme), on_off(scene.scheme.has_inertia()));
+  for (const Stage& stage : scene.stages)
+    text += fmt::format(
+        "  {}time scheme: {}\n  inertia: {}\n",
+        stage.name.empty() ? "" : fmt::format("stage \"{}\", t = {} to {}\n  ", stage.name, stage.begin, stage.time.end),
+        name_of_kind(stage.time.scheme), on_off(stage.scheme.has_inertia()));
   std::vector<std::pair<std::string, std::string>> massive;  // in the order of the terms of inertia
   for (const Body& body : scene.bodies) massive.emplace_back(body.name, word_for(mass_names, body.mass_kind));
   for (const String& string : scene.strings) massive.emplace_back(string.name, "consistent");

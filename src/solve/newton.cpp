@@ -209,7 +209,7 @@ Newton::Newton(StepProblem& problem, const SolverOptions& options)
 
 RCP<Vector> Newton::first_guess(const State& from, double t) {
   const auto x = Teuchos::rcp(new Vector(*from.x, Teuchos::Copy));
-  const FirstGuess kind = problem_.scene().time.first_guess;
+  const FirstGuess kind = problem_.stage().time.first_guess;
   if (kind == FirstGuess::old_state) return x;
   const double dt = t - from.time;
   if (kind == FirstGuess::motion) {
@@ -266,7 +266,7 @@ StepResult Newton::solve(const State& from, double t) {
   result.evaluation = solved.evaluation();
   problem_.finish_step(from, result.state);
   // Where forces are those of positions within the step, only now are those at its end looked at.
-  if (problem_.scene().scheme.has_inertia() && !problem_.is_admissible_at_end(*result.state.x)) {
+  if (problem_.stage().scheme.has_inertia() && !problem_.is_admissible_at_end(*result.state.x)) {
     result.converged = false;
     result.cause = "an element is inside out (det F <= 0) at the end of the step";
   }

@@ -9,7 +9,7 @@ namespace mortise {
 CheckedTerm checked_sides(const StepProblem& problem, const Load& load, const Partition& partition, int most) {
   const Scene& scene = problem.scene();
   const auto term = std::make_shared<FollowerTerm>(scene, load, partition, problem.dofs());
-  const double last = std::min(load.activity.end.value_or(scene.time.end), scene.time.end);
+  const double last = load.activity.last_time(scene.end());
   std::string fault;
   term->set_time(last, last, fault);
   if (!fault.empty()) throw DeckError(fault);

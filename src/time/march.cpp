@@ -81,93 +81,149 @@ bool StepSize::shorten(double dt) {
   return dt_ >= options_.smallest_step.value_or(options_.step / 1024);
 }
 
-MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const TimeOptions& options, const MarchParty& party) {
-  const Scene& scene = problem.scene();
-  MarchSummary summary;
-  StepSize size(options, at.dt);
-  if (at.counts.steps == 0) {
-    if (scene.scheme.has_inertia())
-      if (const std::string fault = newton.find_acceleration(at.state); !fault.empty())
-        return {ExitCode::no_convergence, fmt::format("no acceleration at the start: {}", fault)};
-    problem.begin_step(at.state, at.state.time);
-    const Evaluation evaluation = problem.evaluate(*at.state.x);
-    at.n_closed = evaluation.n_closed;
-    for (const auto& observe : party.observers) observe(at.state, at.state, evaluation, StepRecord{});
-    party.keep(at);
-  }
-  const auto begin = std::chrono::steady_clock::now();
-  const double first_time = at.state.time;
-  while (at.state.time < options.end) {
-    if (summary.code = party.stop(); summary.code != ExitCode::done) {
-      summary.cause = fmt::format("stopped by {} after step {}, t = {:.6g}",
-                                  summary.code == ExitCode::interrupted ? "SIGINT" : "SIGTERM", at.counts.steps, at.state.time);
-      break;
+namespace {
+
+/// One march: what its stages and steps share.
+class March {
+ public:
+  March(StepProblem& problem, Newton& newton, MarchState& at, const MarchParty& party)
+      : problem_(problem), newton_(newton), at_(at), party_(party), first_time_(at.state.time) {}
+
+  MarchSummary run() {
+    const std::vector<Stage>& stages = problem_.scene().stages;
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+      if (at_.state.time >= stages[k].time.end) continue;
+      if (!enter(k)) break;
+      StepSize size(stages[k].time, at_.dt);
+      while (at_.state.time < stages[k].time.end)
+        if (!attempt(size)) return summary_;
     }
-    const double t = size.next_time(at.state.time), dt = t - at.state.time;
-    StepResult result = newton.solve(at.state, t);
-    const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", at.counts.steps + 1, t, dt);
+    return summary_;
+  }
+
+ private:
+  /// @return false if the march ends here
+  bool enter(std::size_t k) {
+    const Stage& stage = problem_.scene().stages[k];
+    if (at_.counts.steps > 0 && at_.stage == static_cast<int>(k)) {
+      problem_.set_stage(k);
+      return true;
+    }
+    at_.state = problem_.enter_stage(k, at_.state);
+    at_.stage = static_cast<int>(k);
+    at_.dt = stage.time.step;
+    at_.enters_stage = at_.counts.steps > 0;
+    if (!stage.name.empty())
+      party_.log(fmt::format("stage \"{}\" from t = {:g} to {:g}: {}\n", stage.name, at_.state.time, stage.time.end,
+                             name_of_kind(stage.time.scheme)));
+    if (stage.scheme.has_inertia())
+      if (const std::string fault = newton_.find_acceleration(at_.state); !fault.empty())
+        return end(ExitCode::no_convergence, fmt::format("no acceleration at the start: {}", fault));
+    if (at_.counts.steps == 0) see_the_start();
+    return true;
+  }
+
+  void see_the_start() {
+    problem_.begin_step(at_.state, at_.state.time);
+    const Evaluation evaluation = problem_.evaluate(*at_.state.x);
+    at_.n_closed = evaluation.n_closed;
+    for (const auto& observe : party_.observers) observe(at_.state, at_.state, evaluation, StepRecord{});
+    party_.keep(at_);
+  }
+
+  bool attempt(StepSize& size) {
+    if (const ExitCode code = party_.stop(); code != ExitCode::done)
+      return end(code, fmt::format("stopped by {} after step {}, t = {:.6g}",
+                                   code == ExitCode::interrupted ? "SIGINT" : "SIGTERM", at_.counts.steps, at_.state.time));
+    const double t = size.next_time(at_.state.time), dt = t - at_.state.time;
+    StepResult result = newton_.solve(at_.state, t);
+    const std::string head = fmt::format("step {}, t = {:.6g}, dt = {:.4g}", at_.counts.steps + 1, t, dt);
     if (result.is_deck_fault) {
-      party.log(fmt::format("{}: {}\n", head, result.cause));
-      summary.code = ExitCode::deck;
-      summary.cause = result.cause;
-      break;
+      party_.log(fmt::format("{}: {}\n", head, result.cause));
+      return end(ExitCode::deck, result.cause);
     }
-    const double error = result.converged ? problem.local_error(at.state, result.state) : 0;
-    const bool touches = result.converged && result.evaluation.n_closed > 0 && at.n_closed == 0;
-    if (const auto again = result.converged ? size.repeat(dt, error, touches) : std::nullopt) {
-      ++at.pending_cuts;
-      ++at.counts.cuts;
-      at.counts.wasted_iterations += result.iterations;
-      const bool go_on = size.shorten(again->first);
-      party.log(fmt::format("{}: repeated with dt = {:.4g}, {}\n", head, size.dt(), again->second));
-      if (!go_on) {
-        summary.code = ExitCode::no_convergence;
-        summary.cause = fmt::format("{}: the smallest step is reached; {}", head, again->second);
-        break;
-      }
-      at.dt = size.dt();
-      continue;
-    }
-    if (!result.converged) {
-      ++at.pending_cuts;
-      ++at.counts.cuts;
-      at.counts.wasted_iterations += result.iterations;
-      const std::string cause = result.cause + unsettled_nodes(scene, result.unsettled);
-      const bool go_on = size.cut(dt) && !result.is_free;
-      const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", size.dt())
-                                     : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body"
-                                                                  : "  next:  nothing, the smallest step is reached");
-      party.log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
-                            iteration_table(result), cause, next));
-      party.progress(fmt::format("{}: not converged, {}", head, cause));
-      if (!go_on) {
-        summary.code = ExitCode::no_convergence;
-        summary.cause = fmt::format("{}: no step converged{}; {}", head, result.is_free ? "" : " at the smallest dt", cause);
-        break;
-      }
-      at.dt = size.dt();
-      continue;
-    }
-    ++at.counts.steps;
-    at.counts.newton_iterations += result.iterations;
-    party.log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
-    if (const Evaluation& e = result.evaluation; e.n_partly_covered > 0)
-      party.log(fmt::format("  {} closed nodes are partly covered and yield, first: {}\n", e.n_partly_covered,
-                            name_of_multiplier(scene, e.first_partly_covered)));
-    const StepRecord record{at.counts.steps, t, dt, result.iterations, at.pending_cuts, size.is_stop(t)};
-    for (const auto& observe : party.observers) observe(at.state, result.state, result.evaluation, record);
-    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    const double to_go = elapsed * (options.end - t) / (t - first_time);
-    party.progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
-                               result.evaluation.n_closed, to_go));
-    size.accepted(dt, result.iterations, error);
-    at.state = result.state;
-    at.n_closed = result.evaluation.n_closed;
-    at.dt = size.dt();
-    at.pending_cuts = 0;
-    party.keep(at);
+    if (!result.converged) return cut(size, result, head, dt);
+    const double error = problem_.local_error(at_.state, result.state);
+    const bool touches = result.evaluation.n_closed > 0 && at_.n_closed == 0;
+    if (const auto again = size.repeat(dt, error, touches)) return repeat(size, result, head, *again);
+    accept(size, result, head, dt, error);
+    return true;
   }
-  return summary;
+
+  void count_rejected(const StepResult& result) {
+    ++at_.pending_cuts;
+    ++at_.counts.cuts;
+    at_.counts.wasted_iterations += result.iterations;
+  }
+
+  bool repeat(StepSize& size, const StepResult& result, const std::string& head, const std::pair<double, std::string>& again) {
+    count_rejected(result);
+    const bool go_on = size.shorten(again.first);
+    party_.log(fmt::format("{}: repeated with dt = {:.4g}, {}\n", head, size.dt(), again.second));
+    if (!go_on) return end(ExitCode::no_convergence, fmt::format("{}: the smallest step is reached; {}", head, again.second));
+    at_.dt = size.dt();
+    return true;
+  }
+
+  bool cut(StepSize& size, const StepResult& result, const std::string& head, double dt) {
+    count_rejected(result);
+    const std::string cause = result.cause + unsettled_nodes(problem_.scene(), result.unsettled);
+    const bool go_on = size.cut(dt) && !result.is_free;
+    const std::string next = go_on ? fmt::format("  next:  dt = {:.4g}", size.dt())
+                                   : std::string(result.is_free ? "  next:  nothing, a smaller step holds no free body"
+                                                                : "  next:  nothing, the smallest step is reached");
+    party_.log(fmt::format("{}: not converged after {} iterations\n{}  cause: {}\n{}\n", head, result.iterations,
+                           iteration_table(result), cause, next));
+    party_.progress(fmt::format("{}: not converged, {}", head, cause));
+    if (!go_on)
+      return end(ExitCode::no_convergence,
+                 fmt::format("{}: no step converged{}; {}", head, result.is_free ? "" : " at the smallest dt", cause));
+    at_.dt = size.dt();
+    return true;
+  }
+
+  void accept(StepSize& size, const StepResult& result, const std::string& head, double dt, double error) {
+    const double t = result.state.time;
+    ++at_.counts.steps;
+    at_.counts.newton_iterations += result.iterations;
+    party_.log(fmt::format("{}: converged in {} iterations\n{}", head, result.iterations, iteration_table(result)));
+    if (const Evaluation& e = result.evaluation; e.n_partly_covered > 0)
+      party_.log(fmt::format("  {} closed nodes are partly covered and yield, first: {}\n", e.n_partly_covered,
+                             name_of_multiplier(problem_.scene(), e.first_partly_covered)));
+    const StepRecord record{
+        at_.counts.steps, t, dt, result.iterations, at_.pending_cuts, size.is_stop(t), std::exchange(at_.enters_stage, false)};
+    for (const auto& observe : party_.observers) observe(at_.state, result.state, result.evaluation, record);
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    const double to_go = elapsed * (problem_.scene().end() - t) / (t - first_time_);
+    party_.progress(fmt::format("{}: {} Newton iterations, {} nodes in contact, {:.0f} s to go", head, result.iterations,
+                                result.evaluation.n_closed, to_go));
+    size.accepted(dt, result.iterations, error);
+    at_.state = result.state;
+    at_.n_closed = result.evaluation.n_closed;
+    at_.dt = size.dt();
+    at_.pending_cuts = 0;
+    party_.keep(at_);
+  }
+
+  /// The march ends before its time. @return false
+  bool end(ExitCode code, std::string cause) {
+    summary_ = {code, std::move(cause)};
+    return false;
+  }
+
+  StepProblem& problem_;
+  Newton& newton_;
+  MarchState& at_;
+  const MarchParty& party_;
+  MarchSummary summary_;
+  const double first_time_;
+  const std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const MarchParty& party) {
+  return March(problem, newton, at, party).run();
 }
 
 }  // namespace mortise

@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "errors.hpp"
@@ -16,8 +17,9 @@ struct StepRecord {
   int step = 0;
   double time = 0, dt = 0;
   int newton_iterations = 0;
-  int cuts = 0;          ///< rejected attempts since the step before
-  bool is_stop = false;  ///< a time the deck asked for, or the end
+  int cuts = 0;               ///< rejected attempts since the step before
+  bool is_stop = false;       ///< a time the deck asked for, or the end of a stage
+  bool enters_stage = false;  ///< the first step of a stage after the first one
 };
 
 /// Called after every accepted step; must not change anything the march can see.
@@ -33,11 +35,16 @@ struct MarchCounts {
 /// Where a march stands between two attempts: all that the next one depends on. A march goes on from it as if it had not stopped.
 struct MarchState {
   State state;
-  double dt = 0;         ///< size of the next step
+  double dt = 0;         ///< size of the next step; at the start of a stage its own
   int pending_cuts = 0;  ///< attempts rejected since the last accepted step
   MarchCounts counts;
-  int n_closed = 0;  ///< nodes in contact
+  int n_closed = 0;           ///< nodes in contact
+  int stage = -1;             ///< that was entered last; -1: none yet
+  bool enters_stage = false;  ///< no step of it has been accepted yet, and there was a stage before
 };
+
+/// Before the first step, at a state that `StepProblem::initial_state` made.
+inline MarchState starting(State state) { return {std::move(state), 0, 0, {}, 0, -1, false}; }
 
 /// How a march ended.
 struct MarchSummary {
@@ -86,7 +93,8 @@ struct MarchParty {
   Reporter progress;               ///< gets one line per step
 };
 
-/// Marches a scene from where it stands to the end; `at` is then where it ended. At step 0 the observers see the initial state.
-MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const TimeOptions& options, const MarchParty& party);
+/// Marches a scene from where it stands through its stages to the end; `at` is then where it ended. At step 0 the observers see
+/// the initial state.
+MarchSummary march(StepProblem& problem, Newton& newton, MarchState& at, const MarchParty& party);
 
 }  // namespace mortise

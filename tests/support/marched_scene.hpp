@@ -34,7 +34,7 @@ struct MarchedScene {
       const auto file = folder_.write("history.csv", before->table());
       history.emplace(scene.problem, file, kept.done.steps, kept.ledger);
     } else {
-      at = {scene.problem.initial_state(), scene.scene.time.step, 0, {}};
+      at = starting(scene.problem.initial_state());
       history.emplace(scene.problem, folder_ / "history.csv");
     }
     int asked = 0;
@@ -46,7 +46,7 @@ struct MarchedScene {
     party.stop = [&] { return asked++ < most_attempts ? ExitCode::done : ExitCode::terminated; };
     party.log = [this](const std::string& line) { log += line; };
     party.progress = [](const std::string&) {};
-    summary = march(scene.problem, newton, at, scene.scene.time, party);
+    summary = march(scene.problem, newton, at, party);
     scene.state = at.state;
     columns_ = history->columns();
     rows_ = history->rows();

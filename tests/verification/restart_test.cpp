@@ -29,14 +29,13 @@ Marched march_on(const std::string& from, int most_attempts, const RCP<const Com
                  const std::function<void(Scene&)>& change) {
   TestScene s(deck(), comm, change);
   Newton newton(s.problem, s.scene.solver);
-  MarchState at =
-      from.empty() ? MarchState{s.problem.initial_state(), s.scene.time.step, 0, {}} : resume(from_bytes(from), s.problem);
+  MarchState at = from.empty() ? starting(s.problem.initial_state()) : resume(from_bytes(from), s.problem);
   int asked = 0;
   MarchParty party;
   party.keep = [](const MarchState&) {};
   party.stop = [&] { return asked++ < most_attempts ? ExitCode::done : ExitCode::terminated; };
   party.log = party.progress = [](const std::string&) {};
-  const auto summary = march(s.problem, newton, at, s.scene.time, party);
+  const auto summary = march(s.problem, newton, at, party);
   return {make_checkpoint({}, s.problem, at, {}, 0), summary};
 }
 
@@ -45,7 +44,7 @@ constexpr int to_the_end = 1000000;
 // Few Newton iterations are allowed and steps grow quickly: some attempts are rejected.
 void with_cuts(Scene& scene) {
   scene.solver.largest_iterations = 3;
-  scene.time.growth = 3;
+  scene.stages.front().time.growth = 3;
 }
 
 void expect_same_end(const Checkpoint& a, const Checkpoint& b) {

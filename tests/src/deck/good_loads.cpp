@@ -84,7 +84,7 @@ TEST(Deck, TakesRayleighDampingOfABody) {
 }
 
 TEST(Activity, HoldsAfterItsStartAndUpToItsEnd) {
-  const Activity activity{0.5, 1};
+  const Activity activity{0.5, 1, {}};
   EXPECT_FALSE(activity.acts_at(0.5));
   EXPECT_TRUE(activity.acts_at(0.6));
   EXPECT_TRUE(activity.acts_at(1));
