@@ -100,6 +100,12 @@ void StepProblem::start_motion(State& state) const {
   }
 }
 
+void StepProblem::settle_springs(Vector& x) const {
+  if (augmented_springs_.empty()) return;
+  const auto overlap_x = to_overlap(x);
+  for (const auto& spring : augmented_springs_) spring.settle(data(static_cast<const Vector&>(*overlap_x)), data(x));
+}
+
 RCP<Matrix> StepProblem::mass_matrix() {
   if (!matrix_) build_graph();
   matrix_->clear();

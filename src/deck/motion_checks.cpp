@@ -97,6 +97,11 @@ class MotionChecks {
     if (scheme_.is_explicit_in_position &&
         (has_contact || !options_.supports.empty() || !plane_strain_supports(options_).empty()))
       report("D19", {"time", "scheme"}, "takes no supports and no contact, obstacles or rods: it is explicit");
+    for (const auto& [name, spring] : options_.springs) {
+      const auto* between = spring.kind ? std::get_if<springs::Between>(&*spring.kind) : nullptr;
+      if (between && between->formulation == SpringFormulation::augmented && scheme_.is_explicit_in_position)
+        report("D19", {"springs", name, "formulation"}, "cannot be \"augmented\" for " + by_scheme_ + ", which is explicit");
+    }
   }
 
   /// Whether no mass stands at nodes that touch.
