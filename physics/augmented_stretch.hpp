@@ -16,14 +16,15 @@ struct AugmentedStretch {
 
 /// V(v) = E w(v) with v tied to the positions by the multiplier lambda, constant in the step:  V + lambda Phi  (thesis eqs.
 /// 6.37, 6.38). grad_v V is taken as the scheme reads forces: w'(v_theta), the mean of both ends, or the discrete gradient
-/// (6.42); t* stands where the scheme has Jacobians of constraints. At the start Phi holds, so v_n is that of `t_n`.
+/// (6.42). t* is at theta of the forces, not where Jacobians of contact stand: the multiplier is an elastic force, and angular
+/// momentum needs that along t_theta. At the start Phi holds, so v_n is that of `t_n`.
 /// @param energy E [J]  @param t_n, t tangents at the start and at the end  @param v squared stretch at the end [-]
 /// @param lambda [J]
 /// Precondition: v > 0 and t_n not zero, unless the law is Saint Venant's.
 template <class Law, class T>
 AugmentedStretch<T> augmented_stretch(const TimeScheme& scheme, double energy, const Vec3<T>& t_n, const Vec3<T>& t, const T& v,
                                       const T& lambda) {
-  const double theta = scheme.theta, at = scheme.constraint_theta;
+  const double theta = scheme.theta;
   const T v_n = dot(t_n, t_n), none = 0.0;
   T slope;
   switch (scheme.forces) {
@@ -37,7 +38,7 @@ AugmentedStretch<T> augmented_stretch(const TimeScheme& scheme, double energy, c
       slope = Law::slope(T((1 - theta) * v_n + theta * v), none);
       break;
   }
-  const Vec3<T> t_star = T(1 - at) * t_n + T(at) * t;
+  const Vec3<T> t_star = T(1 - theta) * t_n + T(theta) * t;
   return {T(-2.0 * lambda) * t_star, energy * slope + lambda, v - dot(t, t)};
 }
 
