@@ -13,8 +13,8 @@ SpringPendulum formulated(SpringPendulum deck, const std::string& formulation) {
 }
 
 /// A pendulum marched to its end on this rank alone; its ledger closes.
-struct Run : MarchedScene {
-  Run(const SpringPendulum& deck, const std::string& formulation) : MarchedScene(formulated(deck, formulation), alone()) {
+struct Swing : MarchedScene {
+  Swing(const SpringPendulum& deck, const std::string& formulation) : MarchedScene(formulated(deck, formulation), alone()) {
     EXPECT_EQ(summary.code, ExitCode::done) << deck.scheme << deck.law << formulation << summary.cause;
     EXPECT_LE(relative_mismatch(), 1e-11) << deck.scheme << deck.law << formulation;
   }
@@ -47,8 +47,8 @@ TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectory) {
   for (const char* stiffness : {"1e3", "1e6"})
     for (const char* step : {"5e-4", "1e-2"}) {
       const SpringPendulum deck = pendulum("energy momentum", stiffness, step);
-      const Run augmented(deck, "augmented");
-      EXPECT_LE(difference(augmented, Run(deck, "displacement")), 1e-11) << stiffness << step;
+      const Swing augmented(deck, "augmented");
+      EXPECT_LE(difference(augmented, Swing(deck, "displacement")), 1e-11) << stiffness << step;
       if (std::string(stiffness) == "1e3") continue;
       for (double E : augmented["total_energy"]) EXPECT_NEAR(E, 16278.125, 1e-8) << step;
       for (double L : augmented["angular_momentum_x"]) EXPECT_NEAR(L, 10 / std::sqrt(2), 1e-9) << step;
@@ -62,8 +62,8 @@ TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectoryForEveryLaw) {
     for (const char* scheme : {"energy momentum", "energy momentum midpoint contact"}) {
       SpringPendulum deck = pendulum(scheme, "1e3", "1e-2");
       deck.law = law;
-      const Run augmented(deck, "augmented");
-      EXPECT_LE(difference(augmented, Run(deck, "displacement")), 1e-11) << law << scheme;
+      const Swing augmented(deck, "augmented");
+      EXPECT_LE(difference(augmented, Swing(deck, "displacement")), 1e-11) << law << scheme;
       const auto E = augmented["total_energy"];
       for (double now : E) EXPECT_NEAR(now, E.front(), 1e-11 * E.front()) << law << scheme;
     }
@@ -72,9 +72,9 @@ TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectoryForEveryLaw) {
 /// A quadratic V has V'((v_n + v_n+1)/2) = (V'(v_n) + V'(v_n+1))/2 = the discrete gradient.
 TEST(AugmentedSpring, MakesSecondOrderSchemesEnergyMomentumOnesForSaintVenant) {
   for (const auto& [stiffness, step] : {std::pair<const char*, const char*>{"1e3", "1e-2"}, {"1e6", "5e-4"}, {"1e6", "1e-2"}}) {
-    const Run exact(pendulum("energy momentum", stiffness, step), "displacement");
+    const Swing exact(pendulum("energy momentum", stiffness, step), "displacement");
     for (const char* scheme : {"midpoint", "trapezoidal", "variational midpoint"}) {
-      const Run run(pendulum(scheme, stiffness, step), "augmented");
+      const Swing run(pendulum(scheme, stiffness, step), "augmented");
       EXPECT_LE(difference(run, exact), 1e-11) << scheme << stiffness << step;
     }
   }
@@ -86,12 +86,12 @@ TEST(AugmentedSpring, IsASchemeOfItsOwnByMidpointForOtherLaws) {
     SpringPendulum deck = pendulum(scheme, "1e3", "1e-2");
     deck.law = "logarithmic";
     deck.end = "0.1";
-    const Run run(deck, "augmented");
-    EXPECT_GE(difference(run, Run(deck, "displacement")), 1e-4) << scheme;
+    const Swing run(deck, "augmented");
+    EXPECT_GE(difference(run, Swing(deck, "displacement")), 1e-4) << scheme;
     for (double L : run["angular_momentum_x"]) EXPECT_NEAR(L, 10 / std::sqrt(2), 1e-10) << scheme;
     const auto y_by = [&](const char* step) {
       deck.step = step;
-      return Run(deck, "augmented")["position_y.y"].back();
+      return Swing(deck, "augmented")["position_y.y"].back();
     };
     const double coarse = y_by("4e-4"), middle = y_by("2e-4"), fine = y_by("1e-4");
     EXPECT_NEAR(std::log2((coarse - middle) / (middle - fine)), 2, 0.02) << scheme;
@@ -104,7 +104,7 @@ TEST(AugmentedSpring, ChangesNothingByBackwardEuler) {
     for (const char* step : {"5e-4", "1e-2"}) {
       SpringPendulum deck = pendulum("backward euler", "1e3", step);
       deck.law = law;
-      EXPECT_LE(difference(Run(deck, "augmented"), Run(deck, "displacement")), 1e-11) << law << step;
+      EXPECT_LE(difference(Swing(deck, "augmented"), Swing(deck, "displacement")), 1e-11) << law << step;
     }
 }
 
@@ -146,7 +146,7 @@ TEST(AugmentedSpring, StartsWithTheStretchOfATurnedBody) {
   };
   const MarchedScene augmented = start_of("augmented"), direct = start_of("displacement");
   EXPECT_LE(difference(augmented, direct), 1e-12);
-  EXPECT_GT(std::abs(augmented["strain_energy"].front() - Run(straight, "augmented")["strain_energy"].front()), 1);
+  EXPECT_GT(std::abs(augmented["strain_energy"].front() - Swing(straight, "augmented")["strain_energy"].front()), 1);
 }
 
 /// v and lambda are in the checkpoint: the run goes on to the same bits.
@@ -167,7 +167,7 @@ TEST(AugmentedSpring, ClosesTheLedgerForEveryTolerance) {
   for (const char* tolerance : {"1e-1", "1e-4", "1e-10"}) {
     SpringPendulum deck = pendulum("energy momentum", "1e3", "5e-3");
     deck.tolerance = tolerance;
-    const Run run(deck, "augmented");
+    const Swing run(deck, "augmented");
   }
 }
 
