@@ -42,8 +42,15 @@ SpringPendulum pendulum(const std::string& scheme, const std::string& stiffness,
   return deck;
 }
 
+class AugmentedSpring : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (world()->getSize() > 1) GTEST_SKIP() << "one element runs on one rank only; rings of springs run on all";
+  }
+};
+
 /// V' by the discrete gradient of v is the discrete gradient of positions: thesis eqs. 6.36 and 6.43.
-TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectory) {
+TEST_F(AugmentedSpring, FollowsTheEnergyMomentumTrajectory) {
   for (const char* stiffness : {"1e3", "1e6"})
     for (const char* step : {"5e-4", "1e-2"}) {
       const SpringPendulum deck = pendulum("energy momentum", stiffness, step);
@@ -53,11 +60,11 @@ TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectory) {
       for (double E : augmented["total_energy"]) EXPECT_NEAR(E, 16278.125, 1e-8) << step;
       for (double L : augmented["angular_momentum_x"]) EXPECT_NEAR(L, 10 / std::sqrt(2), 1e-9) << step;
       EXPECT_LE(relative_to(augmented, "linear_momentum_mismatch", "linear_momentum"), 1e-11) << step;
-      EXPECT_LE(std::abs(augmented["algorithmic_dissipation"].back()), 1e-11 * 16278.125 * 10) << step;
+      EXPECT_LE(std::abs(augmented["algorithmic_dissipation"].back()), 1e-11 * 16278.125) << step;
     }
 }
 
-TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectoryForEveryLaw) {
+TEST_F(AugmentedSpring, FollowsTheEnergyMomentumTrajectoryForEveryLaw) {
   for (const char* law : {"neo-hookean", "logarithmic"})
     for (const char* scheme : {"energy momentum", "energy momentum midpoint contact"}) {
       SpringPendulum deck = pendulum(scheme, "1e3", "1e-2");
@@ -70,18 +77,23 @@ TEST(AugmentedSpring, FollowsTheEnergyMomentumTrajectoryForEveryLaw) {
 }
 
 /// A quadratic V has V'((v_n + v_n+1)/2) = (V'(v_n) + V'(v_n+1))/2 = the discrete gradient.
-TEST(AugmentedSpring, MakesSecondOrderSchemesEnergyMomentumOnesForSaintVenant) {
+TEST_F(AugmentedSpring, MakesSecondOrderSchemesEnergyMomentumOnesForSaintVenant) {
   for (const auto& [stiffness, step] : {std::pair<const char*, const char*>{"1e3", "1e-2"}, {"1e6", "5e-4"}, {"1e6", "1e-2"}}) {
-    const Swing exact(pendulum("energy momentum", stiffness, step), "displacement");
+    const auto by = [&, stiffness = stiffness, step = step](const std::string& scheme) {
+      SpringPendulum deck = pendulum(scheme, stiffness, step);
+      if (deck.step == "5e-4") deck.end = "0.1";
+      return deck;
+    };
+    const Swing exact(by("energy momentum"), "displacement");
     for (const char* scheme : {"midpoint", "trapezoidal", "variational midpoint"}) {
-      const Swing run(pendulum(scheme, stiffness, step), "augmented");
+      const Swing run(by(scheme), "augmented");
       EXPECT_LE(difference(run, exact), 1e-11) << scheme << stiffness << step;
     }
   }
 }
 
 /// The same V is not quadratic for the other laws: what is kept is angular momentum, and the order is 2.
-TEST(AugmentedSpring, IsASchemeOfItsOwnByMidpointForOtherLaws) {
+TEST_F(AugmentedSpring, IsASchemeOfItsOwnByMidpointForOtherLaws) {
   for (const char* scheme : {"midpoint", "trapezoidal", "variational midpoint"}) {
     SpringPendulum deck = pendulum(scheme, "1e3", "1e-2");
     deck.law = "logarithmic";
@@ -99,17 +111,17 @@ TEST(AugmentedSpring, IsASchemeOfItsOwnByMidpointForOtherLaws) {
 }
 
 /// All at the end of the step: the unknowns v and lambda can be eliminated.
-TEST(AugmentedSpring, ChangesNothingByBackwardEuler) {
+TEST_F(AugmentedSpring, ChangesNothingByBackwardEuler) {
   for (const char* law : {"saint venant", "neo-hookean", "logarithmic"})
-    for (const char* step : {"5e-4", "1e-2"}) {
-      SpringPendulum deck = pendulum("backward euler", "1e3", step);
+    for (const char* stiffness : {"1e3", "1e6"}) {
+      SpringPendulum deck = pendulum("backward euler", stiffness, "1e-2");
       deck.law = law;
-      EXPECT_LE(difference(Swing(deck, "augmented"), Swing(deck, "displacement")), 1e-11) << law << step;
+      EXPECT_LE(difference(Swing(deck, "augmented"), Swing(deck, "displacement")), 1e-11) << law << stiffness;
     }
 }
 
 /// The spring lets go, and the mass flies straight on; a spring that starts later finds the stretch that it has then.
-TEST(AugmentedSpring, EndsAndStartsWithItsTimes) {
+TEST_F(AugmentedSpring, EndsAndStartsWithItsTimes) {
   for (const auto& [scheme, when] :
        std::vector<std::pair<std::string, std::string>>{{"energy momentum", number("end", "0.1")},
                                                         {"energy momentum", number("start", "0.1")},
@@ -124,17 +136,14 @@ TEST(AugmentedSpring, EndsAndStartsWithItsTimes) {
     ASSERT_EQ(augmented.summary.code, ExitCode::done) << scheme << when << augmented.summary.cause;
     EXPECT_LE(difference(augmented, direct), 1e-11) << scheme << when;
     EXPECT_LE(augmented.relative_mismatch(), 1e-11) << scheme << when;
-    const auto v = augmented["linear_momentum_x"];
-    if (when.find("\"end\"") != std::string::npos) {
-      EXPECT_EQ(v.back(), v[v.size() - 5]) << scheme << when;
-    } else {
-      EXPECT_EQ(v.front(), v[5]) << scheme << when;
-      EXPECT_NE(v.front(), v.back()) << scheme << when;
-    }
+    const auto p = augmented["linear_momentum_x"];
+    const bool starts = when.find("\"start\"") != std::string::npos, ends = when.find("\"end\"") != std::string::npos;
+    EXPECT_EQ(starts, std::abs(p[5] - p.front()) < 1e-12) << scheme << when;
+    EXPECT_EQ(ends, std::abs(p[p.size() - 5] - p.back()) < 1e-12) << scheme << when;
   }
 }
 
-TEST(AugmentedSpring, StartsWithTheStretchOfATurnedBody) {
+TEST_F(AugmentedSpring, StartsWithTheStretchOfATurnedBody) {
   const SpringPendulum straight = pendulum("energy momentum", "1e3", "1e-2");
   const auto start_of = [&](const std::string& formulation) {
     const SpringPendulum deck = formulated(straight, formulation);
@@ -150,7 +159,7 @@ TEST(AugmentedSpring, StartsWithTheStretchOfATurnedBody) {
 }
 
 /// v and lambda are in the checkpoint: the run goes on to the same bits.
-TEST(AugmentedSpring, GoesOnFromACheckpointAsIfNothingHadBeen) {
+TEST_F(AugmentedSpring, GoesOnFromACheckpointAsIfNothingHadBeen) {
   for (const char* law : {"saint venant", "neo-hookean"}) {
     SpringPendulum deck = pendulum("energy momentum", "1e6", "1e-2");
     deck.formulation = "augmented";
@@ -163,7 +172,7 @@ TEST(AugmentedSpring, GoesOnFromACheckpointAsIfNothingHadBeen) {
 }
 
 /// Any tolerance of Newton: the ledger closes.
-TEST(AugmentedSpring, ClosesTheLedgerForEveryTolerance) {
+TEST_F(AugmentedSpring, ClosesTheLedgerForEveryTolerance) {
   for (const char* tolerance : {"1e-1", "1e-4", "1e-10"}) {
     SpringPendulum deck = pendulum("energy momentum", "1e3", "5e-3");
     deck.tolerance = tolerance;
