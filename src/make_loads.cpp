@@ -114,7 +114,7 @@ class SpringMaker {
     scene_.springs.push_back(std::move(spring));
   }
   void operator()(const springs::Between& o) const {
-    NodeSpring spring{name_, activity_, one_node(o.from, "from"), {}, o.anchor.value_or(Point{}), 0, o.stiffness, o.law};
+    NodeSpring spring{name_, activity_, one_node(o.from, "from"), {}, o.anchor.value_or(Point{}), 0, o.stiffness, o.law, {}};
     if (o.to) spring.to = one_node(*o.to, "to");
     if (spring.from < 0 || spring.to == -1) return;
     const Mesh& mesh = scene_.mesh.mesh;
@@ -123,6 +123,7 @@ class SpringMaker {
     if (distance == 0)
       names_.error("D19", {"springs", name_}, "its ends are in one place: a spring without length has no direction");
     spring.rest_length = o.rest_length.value_or(distance);
+    if (o.formulation == SpringFormulation::augmented) spring.augmented = scene_.n_augmented_springs++;
     scene_.node_springs.push_back(spring);
   }
 

@@ -121,6 +121,7 @@ struct Scene {
   /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
   /// number. Empty: no element has any.
   std::vector<int> first_pressure;
+  int n_augmented_springs = 0;
   std::optional<CarriedState> carried;
   std::vector<Probe> probes;
   std::vector<Stage> stages;  ///< one after the other; at least one
@@ -142,6 +143,11 @@ struct Scene {
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
   /// The point that carries pressure `m` of element `e` (see DofSpace).
   int pressure_point(int e, int m) const { return n_nodes(mesh.mesh) + n_multipliers + first_pressure[e] + m; }
+
+  /// The point that carries the unknowns of augmented spring `k`: squared stretch and multiplier.
+  int spring_point(int k) const { return n_nodes(mesh.mesh) + n_multipliers + n_element_pressures() + k; }
+  /// Elements or springs have unknowns of their own, so that the tangent is indefinite.
+  bool has_internal_unknowns() const { return n_element_pressures() + n_augmented_springs > 0; }
 
   /// Pressure that is round-off [Pa].
   double pressure_floor() const { return force_floor / (size * size); }

@@ -92,6 +92,8 @@ struct NodeSpring {
   double rest_length = 0;  ///< L [m]
   double stiffness = 0;    ///< c [N/m]
   StretchLaw law = StretchLaw::saint_venant;
+  /// Its number among the springs whose squared stretch is an unknown (thesis eqs. 6.37-6.43); none: it is not.
+  std::optional<int> augmented;
 
   /// The other end where nothing has moved.
   const Point& far_end(const Mesh& mesh) const { return to ? mesh.coordinates[*to] : anchor; }

@@ -5,8 +5,9 @@ namespace mortise {
 DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm) {
   const Mesh& mesh = scene.mesh.mesh;
   n_nodes_ = mortise::n_nodes(mesh);
+  first_spring_ = scene.spring_point(0);
   const int rank = comm->getRank();
-  const int n_points = n_nodes_ + scene.n_multipliers + scene.n_element_pressures();
+  const int n_points = n_nodes_ + scene.n_multipliers + scene.n_element_pressures() + scene.n_augmented_springs;
   std::vector<char> needed(n_points, 0), mine(n_points, 0);
   for (int n = 0; n < n_nodes_; ++n) mine[n] = partition.node_rank[n] == rank;
   for (int e = 0; e < n_elements(mesh); ++e)
@@ -27,6 +28,9 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
     for (int e = 0; e < n_elements(mesh); ++e)
       for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
         mine[scene.pressure_point(e, m)] = partition.element_rank[e] == rank;
+
+  for (const auto& spring : scene.node_springs)
+    if (spring.augmented) mine[scene.spring_point(*spring.augmented)] = mine[spring.from];
 
   local_.assign(n_points, -1);
   std::vector<GlobalIndex> dofs;

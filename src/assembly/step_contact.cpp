@@ -121,13 +121,14 @@ double StepProblem::complementarity_constant(const ContactNodes& nodes, std::siz
   return 1 / (1 / secondary + nodes.opposite_compliance);
 }
 
-// Reference positions, no pressure.
+// Reference positions, no pressure, springs as they are there.
 RCP<Vector> StepProblem::reference_state() const {
   auto state = Teuchos::rcp(new Vector(dofs_.owned_map()));
   double* x = data(*state);
   for (int n = 0; n < dofs_.n_nodes(); ++n)
     if (dofs_.owned(n))
       for (int i = 0; i < 3; ++i) x[dofs_.local(n) + i] = scene_.mesh.mesh.coordinates[n][i];
+  settle_springs(*state);
   return state;
 }
 
@@ -169,6 +170,7 @@ State StepProblem::initial_state() {
     state.v = initial_velocities(*state.x);
     state.a = Teuchos::rcp(new Vector(dofs_.owned_map()));
   }
+  settle_springs(*state.x);
   if (contacts_.empty()) return state;
 
   const Evaluation at_rest = evaluate(*state.x);

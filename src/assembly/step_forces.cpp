@@ -106,8 +106,10 @@ void StepProblem::move_supports(const State& from, double t, std::string& fault)
   acting_ = acting;
 }
 
-// Adds the forces of bodies and lines, on the overlap. @return false: a state is inadmissible on this rank
-bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal) {
+// Adds the forces of bodies and lines, on the overlap, and to `of_step` those that are one for the whole step whatever its
+// reading of forces. @return false: a state is inadmissible on this rank
+bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal,
+                               Vector& of_step) {
   const bool is_algorithmic = scheme_.forces == ForceReading::algorithmic;
   const double *x = data(overlap_x), *x_theta = data(at_theta), *x_n = is_algorithmic ? data(*start_x_) : nullptr;
   double* f = data(internal);
@@ -127,6 +129,12 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
     const double* at = is_algorithmic ? x : x_theta;
     is_good &=
         with_tangent ? term.add_tangent(x_n, at, is_algorithmic ? 1 : scheme_.theta, f, *matrix_) : term.add_force(x_n, at, f);
+  }
+  const double* start = start_x_.is_null() ? x : data(static_cast<const Vector&>(*start_x_));
+  for (const auto& spring : augmented_springs_) {
+    if (!spring.acts_at(acting_time_)) continue;
+    is_good &= with_tangent ? spring.add_tangent(scheme_, start, x, data(of_step), *matrix_)
+                            : spring.add_force(scheme_, start, x, data(of_step));
   }
   return is_good;
 }
@@ -151,8 +159,9 @@ RCP<Vector> StepProblem::in_motion(const Combination& c, const Vector& overlap_x
 }
 
 RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
-  const auto is_anchored = [](const StretchTerm& term) { return term.is_anchored(); };
-  const bool has_springs = !springs_.empty() || std::any_of(stretches_.begin(), stretches_.end(), is_anchored);
+  const auto is_anchored = [](const auto& term) { return term.is_anchored(); };
+  const bool has_springs = !springs_.empty() || std::any_of(stretches_.begin(), stretches_.end(), is_anchored) ||
+                           std::any_of(augmented_springs_.begin(), augmented_springs_.end(), is_anchored);
   if (!has_springs && scene_.obstacles.empty()) return Teuchos::null;
   const bool is_mean = scheme_.forces == ForceReading::mean, is_algorithmic = scheme_.forces == ForceReading::algorithmic;
   const auto overlap_x = to_overlap(x);
@@ -166,6 +175,11 @@ RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
   const auto at_theta = is_mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
   const auto force = of_springs(*at_theta, is_algorithmic ? data(*start_x_) : nullptr, is_algorithmic ? *overlap_x : *at_theta);
   if (is_mean) force->update(1 - scheme_.theta, *of_springs(*start_x_, nullptr, *start_x_), scheme_.theta);
+  Vector of_step(dofs_.overlap_map());
+  for (const auto& spring : augmented_springs_)
+    if (spring.is_anchored() && spring.acts_at(acting_time_))
+      spring.add_force(scheme_, data(*start_x_), data(*overlap_x), data(of_step));
+  force->update(1.0, *owned_sum(of_step), 1.0);
   force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size()), 1.0);
   return force;
 }

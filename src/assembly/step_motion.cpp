@@ -139,6 +139,12 @@ State StepProblem::enter_stage(std::size_t next, const State& left) {
   return state;
 }
 
+void StepProblem::settle_springs(Vector& x) const {
+  if (augmented_springs_.empty()) return;
+  const auto overlap_x = to_overlap(x);
+  for (const auto& spring : augmented_springs_) spring.settle(data(static_cast<const Vector&>(*overlap_x)), data(x));
+}
+
 RCP<Matrix> StepProblem::mass_matrix() {
   if (!matrix_) build_graph();
   matrix_->clear();

@@ -36,7 +36,13 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
   for (const auto& load : scene.loads)
     if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);
   for (const auto& spring : scene.springs) springs_.emplace_back(scene, spring, partition, dofs_);
-  for (const auto& spring : scene.node_springs) stretches_.emplace_back(spring, dofs_);
+  for (const auto& spring : scene.node_springs) {
+    if (spring.augmented) {
+      augmented_springs_.emplace_back(scene, spring, dofs_);
+    } else {
+      stretches_.emplace_back(spring, dofs_);
+    }
+  }
   for (const auto& string : scene.strings) stretches_.emplace_back(scene, string, partition, dofs_);
   for (const auto& body : bodies_)
     if (body->body().rayleigh.exists()) dampings_.emplace_back(scene, *body, data(*to_overlap(*reference_state())), dofs_);
@@ -56,7 +62,10 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
     for (int e : body.elements)
       for (int m = 0; m < n_pressures(body.formulation, element_type(scene.mesh.mesh, e)); ++m)
         if (const int point = scene.pressure_point(e, m); dofs_.owned(point))
-          pressure_volumes_.emplace_back(dofs_.local(point), body.size * body.size * body.size);
+          constraint_rows_.push_back({dofs_.local(point), body.size * body.size * body.size, 0});
+  for (const auto& spring : augmented_springs_)
+    if (spring.is_here())
+      constraint_rows_.push_back({spring.unknowns() + 1, 1, 1e-14 * (1 + scene.extent / spring.rest_length())});
   if (!contacts_.empty()) find_normal_stiffness();
 }
 
@@ -99,6 +108,8 @@ double StepProblem::strain_energy(const double* x) const {
     if (spring.acts_at(acting_time_)) energy += spring.energy(x);
   for (const auto& term : stretches_)
     if (term.acts_at(acting_time_)) energy += term.energy(x);
+  for (const auto& spring : augmented_springs_)
+    if (spring.acts_at(acting_time_)) energy += spring.energy(x);
   return energy;
 }
 
@@ -116,6 +127,7 @@ void StepProblem::build_graph() {
   for (auto& term : followers_) term.append_cells(cells);
   for (auto& term : springs_) term.append_cells(cells);
   for (auto& term : stretches_) term.append_cells(cells);
+  for (auto& term : augmented_springs_) term.append_cells(cells);
   for (auto& term : dampings_) term.append_cells(cells);
   for (auto& term : inertias_) term.append_cells(cells);
   matrix_ = std::make_unique<SystemMatrix>(dofs_, cells);
@@ -226,7 +238,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   update_search(x, *overlap_x);
 
   const auto at_theta = scheme_.forces == ForceReading::mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
-  Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());
+  Vector internal(dofs_.overlap_map()), of_step(dofs_.overlap_map()), contact(dofs_.overlap_map());
   NodalSums sums(dofs_);
   int admissible = 1;
   {
@@ -235,7 +247,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       refresh_constants();
       matrix_->reset();
     }
-    admissible = add_internal(*overlap_x, *at_theta, with_tangent, internal);
+    admissible = add_internal(*overlap_x, *at_theta, with_tangent, internal, of_step);
     admissible = all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, admissible);
   }
   if (!admissible) return out;
@@ -253,6 +265,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   add_springs(*at_theta, internal);
   out.internal = owned_sum(internal);
   if (scheme_.forces == ForceReading::mean) out.internal->update(1 - scheme_.theta, *internal_before_, scheme_.theta);
+  if (!augmented_springs_.empty()) out.internal->update(1.0, *owned_sum(of_step), 1.0);
   out.damping = damping(*overlap_x);
   out.inertia = inertia(*overlap_x);
   out.contact = owned_sum(contact);
@@ -282,7 +295,14 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
     double squares = 0;
     for (int k = 0; k < dofs_.n_owned_positions(); ++k)
       if (!identity_rows_[k]) squares += r[k] * r[k];
-    for (const auto& [dof, volume] : pressure_volumes_) greatest[4] = std::max(greatest[4], std::abs(r[dof]) / volume);
+    for (const auto& spring : augmented_springs_) {
+      if (!spring.is_here()) continue;
+      const int row = spring.unknowns();
+      if (!spring.acts_at(acting_time_)) identity_rows_[row] = identity_rows_[row + 1] = 1;
+      squares += std::pow(2 / spring.rest_length() * r[row], 2);
+    }
+    for (const auto& [row, scale, floor] : constraint_rows_)
+      if (const double missed = std::abs(r[row]) / scale; missed > floor) greatest[4] = std::max(greatest[4], missed);
     out.force_residual = std::sqrt(all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, squares));
   }
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, greatest);
@@ -290,7 +310,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.gap_residual = greatest[1];
   out.pressure_residual = greatest[2];
   out.pressure_scale = greatest[3];
-  out.volume_residual = greatest[4];
+  out.constraint_residual = greatest[4];
   out.force_scale = std::max({norm_of_forces(*out.internal), norm_of_forces(*out.external), norm_of_forces(*out.contact),
                               out.inertia.is_null() ? 0.0 : norm_of_forces(*out.inertia)});
   out.force_floor = round_off_of_forces();

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "assembly/augmented_spring_term.hpp"
 #include "assembly/damping_term.hpp"
 #include "assembly/dead_loads.hpp"
 #include "assembly/follower_term.hpp"
@@ -46,16 +47,18 @@ struct Evaluation {
   RCP<Vector> gap;               ///< mean gap at the rows of pressures [m]; 0 where nothing is covered
   RCP<Vector> area;              ///< covered area at the rows of pressures [m^2]
   RCP<Vector> compliance;        ///< of the law at partly covered nodes [m/Pa]: closed means gap + compliance p = 0
-  double force_residual = 0;     ///< |R| over free positions [N]
+  double force_residual = 0;     ///< |R| over free positions, and what the multipliers of springs miss as a force [N]
   double force_scale = 0;        ///< max(|f_int|, |f_ext|, |f_contact|, |f_inertia|) [N]
   double force_floor = 0;        ///< round-off of the residual [N]
   double gap_residual = 0;       ///< greatest |gap| of a closed node [m]
   double pressure_residual = 0;  ///< greatest |p| of an open node [Pa]
   double pressure_scale = 0;     ///< greatest |p| of a closed node [Pa]
-  double volume_residual = 0;    ///< greatest part of its volume by which a mixed element misses what its pressure asks for [-]
-  double support_residual = 0;   ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;      ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;     ///< per multiplier, on the rank that owns it: something lies opposite the node
+  /// Greatest part of its volume by which a mixed element misses what its pressure asks for, or |Phi| of an augmented spring
+  /// beyond round-off [-].
+  double constraint_residual = 0;
+  double support_residual = 0;  ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;     ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;    ///< per multiplier, on the rank that owns it: something lies opposite the node
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -78,14 +81,17 @@ class StepProblem {
   const DofSpace& dofs() const { return dofs_; }
   const Scene& scene() const { return scene_; }
 
-  /// Reference positions, all pressures zero; owned unknowns.
+  /// Reference positions, all pressures zero, springs as they are there; owned unknowns.
   RCP<Vector> reference_state() const;
 
   /// Reference positions, no pressure, except where surfaces touch (|gap| <= 1e-8 h): these start closed (conventions, section
-  /// 8), as does what another run left under pressure. Bodies are where, and in dynamics move, as the deck's initial conditions say; accelerations are 0,
-  /// still to be found.
+  /// 8), as does what another run left under pressure. Bodies are where, and in dynamics move, as the deck's initial conditions
+  /// say; accelerations are 0, still to be found.
   /// @throws MeshError if surfaces penetrate deeper than 1e-8 h
   State initial_state();
+
+  /// Gives augmented springs the squared stretch and the multiplier that belong to the positions in `x` (owned). Collective.
+  void settle_springs(Vector& x) const;
 
   /// The stage in which steps are; the first one until another is entered.
   const Stage& stage() const { return scene_.stages[stage_]; }
@@ -193,7 +199,7 @@ class StepProblem {
   RCP<Vector> external(const Vector& overlap_x, bool with_tangent);
   RCP<Vector> dead(double t, std::string& fault) const;
   RCP<Vector> positions_at(double theta, const RCP<Vector>& overlap_x) const;
-  bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal);
+  bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal, Vector& of_step);
   void find_forces_before(double t_before, std::string& fault);
   void find_gaps_before(const Vector& x);
   struct ContactPass {
@@ -226,6 +232,7 @@ class StepProblem {
   std::vector<FollowerTerm> followers_;
   std::vector<SpringTerm> springs_;
   std::vector<StretchTerm> stretches_;
+  std::vector<AugmentedSpringTerm> augmented_springs_;
   std::vector<DampingTerm> dampings_;
   std::vector<InertiaTerm> inertias_;
   std::unique_ptr<SystemMatrix> matrix_;
@@ -241,7 +248,7 @@ class StepProblem {
   std::optional<ConstantPart> constant_;  // of the matrix; none: it has to be made
   RCP<Vector> start_x_;                   // overlap positions at the start of the step
   Search search_;
-  RCP<Vector> search_x_;      // its positions on the overlap
+  RCP<Vector> search_x_;  // its positions on the overlap
   std::size_t stage_ = 0;
   double time_ = 0, dt_ = 0;  // dt_ 0: no step has begun, nothing moves
   double acting_time_ = 0;    // at which activities are asked: the end of the step; without a step, of the one to come
@@ -257,7 +264,13 @@ class StepProblem {
   std::vector<double> normal_stiffness_, normal_mass_;  // [N/m], [kg]
   RCP<Vector> start_gap_, start_area_;  // weighted gaps [m^3] and covered areas [m^2] at the start of the step, where needed
   std::vector<char> identity_rows_;
-  std::vector<std::pair<int, double>> pressure_volumes_;  // owned local unknown of an element's pressure, an element's volume
+  /// The row of a constraint that this rank owns, of an element's pressure or a spring's multiplier: what it is measured by, and
+  /// what is round-off then.
+  struct ConstraintRow {
+    int row;
+    double scale, floor;
+  };
+  std::vector<ConstraintRow> constraint_rows_;
   WorkCounts counts_;
 };
 

@@ -13,7 +13,7 @@ using Cell = std::vector<int>;
 /// Values of one graph. The graph is made once per list of cells; entries that are not hit stay explicit zeros.
 class SystemMatrix {
  public:
-  /// Pressures couple with positions and with themselves, not with each other.
+  /// Pressures and unknowns of springs couple with positions and those of their own point, not with other points.
   SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells);
 
   /// Back to the constant part: zero as long as nothing was kept.

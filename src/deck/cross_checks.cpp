@@ -148,6 +148,9 @@ class CrossChecks {
   }
   void check_spring(const std::string& name, const springs::Between& spring) {
     check_set(spring.from, {"springs", name, "from"});
+    if (spring.formulation == SpringFormulation::augmented && options_.solver.linear == LinearSolverKind::iterative)
+      report("D19", {"springs", name, "formulation"},
+             "\"augmented\" needs the direct solver - solver > \"linear\" must be \"direct\" or \"auto\"");
     if (!spring.to) return;
     check_set(*spring.to, {"springs", name, "to"});
     if (*spring.to == spring.from) report("D19", {"springs", name, "to"}, "is where the spring begins; it needs two ends");

@@ -15,6 +15,12 @@ inline const Choices<StretchLaw> stretch_law_names{{"saint venant", StretchLaw::
                                                    {"neo-hookean", StretchLaw::neo_hookean},
                                                    {"logarithmic", StretchLaw::logarithmic}};
 
+/// Unknowns of a spring: those of its ends, or its squared stretch and a multiplier beside them.
+enum class SpringFormulation { displacement, augmented };
+
+inline const Choices<SpringFormulation> spring_formulation_names{{"displacement", SpringFormulation::displacement},
+                                                                 {"augmented", SpringFormulation::augmented}};
+
 template <class Fields>
 void describe_stretch_law(Fields& f, StretchLaw& law, const std::string& scale) {
   f.choice("law", law, stretch_law_names, Presence::optional,

@@ -104,6 +104,12 @@ class MotionChecks {
     if (scheme.is_explicit_in_position &&
         (has_contact || has_any("supports", options_.supports) || !plane_strain_supports(options_).empty()))
       report("D19", stage.at("scheme"), "takes no supports and no contact, obstacles or rods: it is explicit");
+    for (const auto& [name, spring] : options_.springs) {
+      const auto* between = spring.kind ? std::get_if<springs::Between>(&*spring.kind) : nullptr;
+      if (between && between->formulation == SpringFormulation::augmented && scheme.is_explicit_in_position)
+        report("D19", {"springs", name, "formulation"},
+               "cannot be \"augmented\" for " + stage.with_scheme() + ", which is explicit");
+    }
   }
 
   /// Whether no mass stands at nodes that touch.

@@ -84,6 +84,11 @@ void describe(Fields& f, Between& o) {
   f.optional("rest length", o.rest_length, positive, "length", "length L without force; default: the reference distance");
   f.required("stiffness", o.stiffness, positive, "force/length", "c of the energy c L^2 w, w being the law's");
   describe_stretch_law(f, o.law, "c L^2");
+  f.choice("formulation", o.formulation, spring_formulation_names, Presence::optional,
+           "displacement: the force is that of the positions; augmented: nu^2 and the multiplier that ties it to the positions "
+           "are unknowns too (redundant formulation, coordinate augmentation, thesis eqs. 6.37-6.43). Both move alike by "
+           "static, backward euler and energy momentum; with the law saint venant, augmented makes midpoint and trapezoidal "
+           "energy momentum. Needs the direct solver");
 }
 
 }  // namespace springs

@@ -80,6 +80,7 @@ struct Between {
   std::optional<double> rest_length;            ///< default: the reference distance
   double stiffness = 0;
   StretchLaw law = StretchLaw::saint_venant;
+  SpringFormulation formulation = SpringFormulation::displacement;
 };
 
 }  // namespace springs

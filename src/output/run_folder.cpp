@@ -65,8 +65,8 @@ std::string forces_and_motions(const Scene& scene) {
     text += fmt::format("  springs \"{}\": {}{}\n", spring.name, spring.sides.empty() ? "nodes" : "bedding",
                         in_words(spring.activity));
   for (const auto& spring : scene.node_springs)
-    text += fmt::format("  spring \"{}\": between, {}{}\n", spring.name, word_for(stretch_law_names, spring.law),
-                        in_words(spring.activity));
+    text += fmt::format("  spring \"{}\": between, {}{}{}\n", spring.name, word_for(stretch_law_names, spring.law),
+                        spring.augmented ? ", augmented" : "", in_words(spring.activity));
   for (const auto& string : scene.strings)
     text += fmt::format("  string \"{}\": {}, {} bars\n", string.name, word_for(stretch_law_names, string.law),
                         string.elements.size());
@@ -133,9 +133,10 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
   }
   const int n_q = 3 * problem.dofs().n_nodes();
-  text += fmt::format("ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements)\nelements {}\n",
-                      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers,
-                      scene.n_element_pressures(), n_elements(scene.mesh.mesh));
+  text += fmt::format(
+      "ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements, {} of springs)\nelements {}\n",
+      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers, scene.n_element_pressures(),
+      2 * scene.n_augmented_springs, n_elements(scene.mesh.mesh));
   text += fmt::format(
       "copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are "
       "on every rank\n",

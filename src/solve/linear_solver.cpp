@@ -7,7 +7,7 @@
 namespace mortise {
 namespace {
 
-// A node is a group; its contact pressure joins it, and so do the pressures of an element with one of its nodes.
+// A node is a group; its contact pressure joins it, and so do the unknowns of an element or a spring with one of its nodes.
 std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
   std::vector<int> group(dofs.n_unknowns());
   for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(dofs.n_nodes()); ++k) group[k] = static_cast<int>(k / 3);
@@ -17,6 +17,9 @@ std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
   for (int e = 0; e + 1 < static_cast<int>(scene.first_pressure.size()); ++e)
     for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
       group[dofs.global(scene.pressure_point(e, m))] = element_nodes(scene.mesh.mesh, e)[0];
+  for (const NodeSpring& spring : scene.node_springs)
+    if (spring.augmented)
+      for (int m = 0; m < 2; ++m) group[dofs.global(scene.spring_point(*spring.augmented)) + m] = spring.from;
   return group;
 }
 
@@ -25,9 +28,8 @@ constexpr long long largest_direct = 150000;
 
 std::variant<DirectSolver, IterativeSolver> choose(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) {
   const long long n = dofs.n_unknowns();
-  const bool has_element_pressures = scene.n_element_pressures() > 0;
   const bool iterative = options.linear == LinearSolverKind::iterative ||
-                         (options.linear == LinearSolverKind::automatic && n > largest_direct && !has_element_pressures);
+                         (options.linear == LinearSolverKind::automatic && n > largest_direct && !scene.has_internal_unknowns());
   if (iterative) return IterativeSolver(dofs.owned_map(), 3LL * dofs.n_nodes(), options);
   return DirectSolver(dofs.owned_map(), groups(scene, dofs));
 }

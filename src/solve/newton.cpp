@@ -90,7 +90,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     const Scene& scene = shared_->problem.scene();
     const double h = scene.size;
     const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, e.force_floor) &&
-                       e.gap_residual <= options_.tolerance * h && e.volume_residual <= options_.tolerance &&
+                       e.gap_residual <= options_.tolerance * h && e.constraint_residual <= options_.tolerance &&
                        e.support_residual <= options_.tolerance * h &&
                        e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor());
     if (small && settled && iteration > 0) {

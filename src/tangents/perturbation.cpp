@@ -61,6 +61,7 @@ std::vector<double> state(const StepProblem& problem, double factor) {
 Perturbation perturbed(const StepProblem& problem) {
   for (double factor = 1; factor > 1e-3; factor /= 2) {
     const auto x = problem.scatter(state(problem, factor));
+    problem.settle_springs(*x);
     if (is_admissible(problem, *x)) return {x, factor};
   }
   throw std::runtime_error("no admissible deformed state was found");

@@ -10,7 +10,7 @@ namespace mortise::test {
 /// A mass on a spring whose other end is fixed at the origin, with the data of the errata page.
 struct SpringPendulum {
   std::string scheme = "energy momentum", parameters;  ///< of list `time`
-  std::string stiffness = "1e6", law = "saint venant", step = "5e-4", end = "0.63";
+  std::string stiffness = "1e6", law = "saint venant", formulation = "displacement", step = "5e-4", end = "0.63";
   std::string rest_length = "1", mass = "1", at = "{0.565685424949238, 0, 0.565685424949238}", velocity = "{0, -12.5, 0}";
   std::string tolerance = "1e-14";
   std::string smallest_step;  ///< empty: the step, so that it is never cut
@@ -18,7 +18,7 @@ struct SpringPendulum {
   operator std::string() const {
     const std::string spring = word("type", "between") + word("from", "ball/1") +
                                deck_parameter("anchor", "Array(double)", "{0, 0, 0}") + number("rest length", rest_length) +
-                               number("stiffness", stiffness) + word("law", law);
+                               number("stiffness", stiffness) + word("law", law) + word("formulation", formulation);
     std::string probes;
     for (const char* axis : {"x", "y", "z"})
       probes += list(

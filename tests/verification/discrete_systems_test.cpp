@@ -9,7 +9,7 @@ namespace {
 
 /// Four masses in a ring of springs, one of them held to a point, and a string that flies beside them.
 struct System {
-  std::string scheme = "energy momentum", law = "saint venant", order = "2", loads;
+  std::string scheme = "energy momentum", law = "saint venant", formulation = "displacement", order = "2", loads;
   std::string step = "0.05", end = "1";
 
   operator std::string() const {
@@ -18,7 +18,7 @@ struct System {
     for (int k = 1; k <= 4; ++k)
       ring += list("side " + std::to_string(k), word("type", "between") + word("from", "ring/" + std::to_string(k)) +
                                                     word("to", "ring/" + std::to_string(k % 4 + 1)) + number("stiffness", "200") +
-                                                    word("law", law));
+                                                    word("law", law) + word("formulation", formulation));
     const std::string line = word("recipe", "line") + deck_parameter("from", "Array(double)", "{0, 0, 2}") +
                              deck_parameter("to", "Array(double)", "{2, 0, 2}") + deck_parameter("elements", "int", "4") +
                              deck_parameter("order", "int", order);
@@ -46,6 +46,7 @@ TEST(DiscreteSystem, KeepsEnergyAndMomentaForEveryLawAndOrder) {
       System system;
       system.law = law;
       system.order = order;
+      if (*order == '3') system.formulation = "augmented";
       const MarchedScene run{system};
       ASSERT_EQ(run.summary.code, ExitCode::done) << law << order << run.summary.cause << run.log;
       const auto E = run["total_energy"], stored = run["strain_energy"];
@@ -61,8 +62,16 @@ TEST(DiscreteSystem, KeepsEnergyAndMomentaForEveryLawAndOrder) {
 }
 
 TEST(DiscreteSystem, IsTheSameOnEveryNumberOfRanks) {
-  const MarchedScene shared{System{}}, alone_one(System{}, alone());
-  EXPECT_LE(relative_difference(shared.unknowns(), alone_one.unknowns(), 0, shared.unknowns().size()), 1e-10);
+  for (const char* formulation : {"displacement", "augmented"}) {
+    System system;
+    system.formulation = formulation;
+    const MarchedScene shared{system}, alone_one(system, alone());
+    const auto together = shared.unknowns(), one = alone_one.unknowns();
+    const std::size_t n_positions = shared.scene.n_positions(), n_springs = std::string(formulation) == "augmented" ? 4 : 0;
+    ASSERT_EQ(together.size(), n_positions + 2 * n_springs);
+    EXPECT_LE(relative_difference(together, one, 0, n_positions), 1e-10) << formulation;
+    EXPECT_LE(relative_difference(together, one, n_positions, one.size()), 1e-10) << formulation;
+  }
 }
 
 TEST(DiscreteSystem, FallsByItsWeight) {
@@ -77,32 +86,35 @@ TEST(DiscreteSystem, FallsByItsWeight) {
 
 /// Central differences of the residual against the tangent, for forces at a point and for the discrete gradient.
 TEST(DiscreteSystem, HasTheTangentOfItsForces) {
-  for (const char* scheme : {"midpoint", "energy momentum", "backward euler"})
-    for (const char* law : {"saint venant", "neo-hookean", "logarithmic"}) {
-      System system;
-      system.scheme = scheme;
-      system.law = law;
-      TestScene scene{std::string(system)};
-      scene.problem.begin_step(scene.state, 0.05);
-      Random random(7);
-      const auto x = scene.random_state(random, 0.05, 0, 0);
-      RCP<Matrix> tangent;
-      scene.problem.linearise(*scene.scatter(x), tangent);
-      const auto K = scene.dense(*tangent);
-      const std::size_t n = x.size();
-      double greatest = 0, worst = 0;
-      for (double entry : K) greatest = std::max(greatest, std::abs(entry));
-      for (std::size_t c = 0; c < n; ++c) {
-        const double h = 1e-5;
-        auto plus = x, minus = x;
-        plus[c] += h;
-        minus[c] -= h;
-        const auto r_plus = scene.gather(*scene.problem.evaluate(*scene.scatter(plus)).residual),
-                   r_minus = scene.gather(*scene.problem.evaluate(*scene.scatter(minus)).residual);
-        for (std::size_t r = 0; r < n; ++r) worst = std::max(worst, std::abs((r_plus[r] - r_minus[r]) / (2 * h) - K[r * n + c]));
+  for (const char* scheme : {"midpoint", "energy momentum", "backward euler", "trapezoidal"})
+    for (const char* law : {"saint venant", "neo-hookean", "logarithmic"})
+      for (const char* formulation : {"displacement", "augmented"}) {
+        System system;
+        system.scheme = scheme;
+        system.law = law;
+        system.formulation = formulation;
+        TestScene scene{std::string(system)};
+        scene.problem.begin_step(scene.state, 0.05);
+        Random random(7);
+        const auto x = scene.random_state(random, 0.05, 0.7, 1.4);  // squared stretches, and multipliers, if any
+        RCP<Matrix> tangent;
+        scene.problem.linearise(*scene.scatter(x), tangent);
+        const auto K = scene.dense(*tangent);
+        const std::size_t n = x.size();
+        double greatest = 0, worst = 0;
+        for (double entry : K) greatest = std::max(greatest, std::abs(entry));
+        for (std::size_t c = 0; c < n; ++c) {
+          const double h = 1e-5;
+          auto plus = x, minus = x;
+          plus[c] += h;
+          minus[c] -= h;
+          const auto r_plus = scene.gather(*scene.problem.evaluate(*scene.scatter(plus)).residual),
+                     r_minus = scene.gather(*scene.problem.evaluate(*scene.scatter(minus)).residual);
+          for (std::size_t r = 0; r < n; ++r)
+            worst = std::max(worst, std::abs((r_plus[r] - r_minus[r]) / (2 * h) - K[r * n + c]));
+        }
+        EXPECT_LE(worst, 1e-7 * greatest) << scheme << law << formulation;
       }
-      EXPECT_LE(worst, 1e-7 * greatest) << scheme << law;
-    }
 }
 
 TEST(DiscreteSystem, WithoutInertiaOrWhatHoldsItIsRefused) {
@@ -119,20 +131,27 @@ TEST(DiscreteSystem, WithoutInertiaOrWhatHoldsItIsRefused) {
 
 /// A mass that hangs on a hinged spring finds  c L (nu^2 - 1) nu / 2 = m g  in statics.
 TEST(DiscreteSystem, HangsInStaticsWhereItsSpringHoldsIt) {
-  const std::string deck = list(
-      "hanging",
-      list("meshes", list("ball", word("recipe", "points") + deck_parameter("coordinates", "Array(double)", "{0, 0, -1.2}"))) +
-          list("masses", list("ball", word("set", "ball/1") + number("mass", "2"))) +
-          list("springs", list("spring", word("type", "between") + word("from", "ball/1") +
-                                             deck_parameter("anchor", "Array(double)", "{0, 0, 0}") + number("rest length", "1") +
-                                             number("stiffness", "100"))) +
-          list("loads", list("weight", word("type", "body force") + word("z", "-10"))) +
-          list("time", word("scheme", "static") + number("step", "1") + number("end", "1")));
-  TestScene scene(deck, alone());
-  const auto run = scene.march({1.0});
-  ASSERT_TRUE(run.converged) << run.cause;
-  const double nu = -scene.gather(*scene.state.x)[2];
-  EXPECT_NEAR(50 * (nu * nu - 1) * nu, 20, 1e-8);
+  for (const char* formulation : {"displacement", "augmented"}) {
+    const std::string spring = word("type", "between") + word("from", "ball/1") +
+                               deck_parameter("anchor", "Array(double)", "{0, 0, 0}") + number("rest length", "1") +
+                               number("stiffness", "100") + word("formulation", formulation);
+    const std::string deck = list(
+        "hanging",
+        list("meshes", list("ball", word("recipe", "points") + deck_parameter("coordinates", "Array(double)", "{0, 0, -1.2}"))) +
+            list("masses", list("ball", word("set", "ball/1") + number("mass", "2"))) + list("springs", list("spring", spring)) +
+            list("loads", list("weight", word("type", "body force") + word("z", "-10"))) +
+            list("time", word("scheme", "static") + number("step", "1") + number("end", "1")));
+    TestScene scene(deck, alone());
+    const auto run = scene.march({1.0});
+    ASSERT_TRUE(run.converged) << run.cause;
+    const auto x = scene.gather(*scene.state.x);
+    const double nu = -x[2];
+    EXPECT_NEAR(50 * (nu * nu - 1) * nu, 20, 1e-8) << formulation;
+    if (x.size() == 3) continue;
+    EXPECT_NEAR(x[3], nu * nu, 1e-9);             // v
+    EXPECT_NEAR(x[4], -25 * (nu * nu - 1), 1e-8);  // lambda = -V'(v)
+    EXPECT_NEAR(-2 * x[4] * nu, 20, 1e-8) << "force, L = 1";
+  }
 }
 
 }  // namespace

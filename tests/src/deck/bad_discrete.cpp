@@ -18,16 +18,16 @@ struct Discrete {
   std::string masses = list("balls", word("set", "balls") + number("mass", "1"));
   std::string spring = word("from", "balls/1") + word("to", "balls/2") + number("stiffness", "10");
   std::string string = word("mesh", "rope") + number("area", "0.1") + number("youngs modulus", "5") + number("density", "2");
-  std::string others;
+  std::string others, other_springs, scheme = "midpoint";
 
   operator std::string() const {
     const std::string meshes =
         list("balls", word("recipe", "points") + deck_parameter("coordinates", "Array(double)", "{0, 0, 0, 1, 0, 0}")) +
         list("rope", word("recipe", "line") + deck_parameter("order", "int", "2"));
     return list("d", list("meshes", meshes) + (masses.empty() ? "" : list("masses", masses)) +
-                         (spring.empty() ? "" : list("springs", list("it", word("type", "between") + spring))) +
+                         (spring.empty() ? "" : list("springs", list("it", word("type", "between") + spring) + other_springs)) +
                          (string.empty() ? "" : list("strings", list("rope", string))) + others +
-                         list("time", word("scheme", "midpoint") + number("step", "1") + number("end", "2")));
+                         list("time", word("scheme", scheme) + number("step", "1") + number("end", "2")));
   }
 };
 
@@ -71,6 +71,17 @@ Discrete with_others(const std::string& others) {
   deck.others = others;
   return deck;
 }
+Discrete augmented_with(const std::string& others, const std::string& scheme = "midpoint") {
+  Discrete deck = with_others(others);
+  deck.spring += word("formulation", "augmented");
+  deck.scheme = scheme;
+  return deck;
+}
+Discrete with_spring_at_nodes(const std::string& more) {
+  Discrete deck;
+  deck.other_springs = list("ground", word("type", "nodes") + word("set", "balls/1") + number("x", "1") + more);
+  return deck;
+}
 Discrete without_anything() {
   Discrete deck;
   deck.masses = deck.string = deck.spring = "";
@@ -91,6 +102,18 @@ const std::vector<Fault> faults{
     {"SpringOfAnUnknownLaw",
      with_spring(from + to + stiff + word("law", "hooke")),
      {"error[D10]", "allowed: saint venant, neo-hookean, logarithmic"}},
+    {"SpringOfAnUnknownFormulation",
+     with_spring(from + to + stiff + word("formulation", "augmentd")),
+     {"error[D10]", "allowed: displacement, augmented", "did you mean \"augmented\"?"}},
+    {"SpringsAtNodesAugmented",
+     with_spring_at_nodes(word("formulation", "augmented")),
+     {"error[D13]", "springs > ground > \"formulation\""}},
+    {"AugmentedSpringWithGmres",
+     augmented_with(list("solver", word("linear", "iterative"))),
+     {"error[D19]", "springs > it > \"formulation\" = \"augmented\" - \"augmented\" needs the direct solver"}},
+    {"AugmentedSpringByAnExplicitScheme",
+     augmented_with("", "forward euler"),
+     {"error[D19]", "springs > it > \"formulation\"", "time > \"scheme\" = \"forward euler\", which is explicit"}},
     {"SpringInAnUnknownMesh", with_spring(word("from", "ball/1") + to + stiff), {"error[D14]", "did you mean \"balls\"?"}},
     {"SpringBetweenWithASet", with_spring(from + to + stiff + word("set", "balls/1")), {"error[D13]", "\"set\""}},
     {"MassOfZero", with_masses(list("balls", word("set", "balls") + number("mass", "0"))), {"error[D08]", "must be > 0"}},
