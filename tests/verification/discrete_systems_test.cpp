@@ -148,7 +148,7 @@ TEST(DiscreteSystem, HangsInStaticsWhereItsSpringHoldsIt) {
     const double nu = -x[2];
     EXPECT_NEAR(50 * (nu * nu - 1) * nu, 20, 1e-8) << formulation;
     if (x.size() == 3) continue;
-    EXPECT_NEAR(x[3], nu * nu, 1e-9);             // v
+    EXPECT_NEAR(x[3], nu * nu, 1e-9);              // v
     EXPECT_NEAR(x[4], -25 * (nu * nu - 1), 1e-8);  // lambda = -V'(v)
     EXPECT_NEAR(-2 * x[4] * nu, 20, 1e-8) << "force, L = 1";
   }
