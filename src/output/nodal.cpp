@@ -71,7 +71,9 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
     case Field::status:
       return {contact_status(problem, at)};
-    default: {  // of motion: in a static stage all rests
+    default: {  // of motion: all rests in a static stage; a run of statics alone, which the deck reader refuses, has none
+      if (!problem.scene().has_inertia())
+        throw std::logic_error(std::string("no field \"") + entry_of(field).name + "\" in statics");
       const RCP<Vector>& rate = field == Field::velocity ? state.v : state.a;
       return rate.is_null() ? NodalField(3, std::vector<double>(n, 0.0)) : by_axis(problem.gather(*rate), n);
     }
