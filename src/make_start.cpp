@@ -33,8 +33,8 @@ class StartMaker {
       names_.error("D14", place, fmt::format("there is no file \"{}\" - results of a run are needed", file.string()));
       return;
     }
-    if (files_.count(file) == 0) files_.emplace(file, read_last_frame(file));
-    const MeshFrame& frame = files_.at(file);
+    const Source& source = source_of(file);
+    const MeshFrame& frame = source.frame;
     const auto displacement = vector_of(frame, "displacement", file, place), velocity = vector_of(frame, "velocity", file, place);
     if (displacement[0] == nullptr) return;
     if (velocity[0] == nullptr && is_moving(frame)) {
@@ -45,18 +45,19 @@ class StartMaker {
                       file.string()));
       return;
     }
-    const std::vector<int> there = counterparts(frame.mesh, file, nodes, place);
+    const std::vector<int> there = counterparts(source, file, nodes, place);
     if (there.empty()) return;
     if (!scene_.carried) {
       const std::size_t n = scene_.mesh.mesh.coordinates.size();
-      scene_.carried = CarriedState{std::vector<char>(n, 0), std::vector<Vec3<double>>(n), std::vector<Vec3<double>>(n),
-                                    std::vector<double>(n, 0.0)};
+      scene_.carried = CarriedState{
+          std::vector<char>(n, 0), std::vector<Vec3<double>>(n), std::vector<Vec3<double>>(n), std::vector<double>(n, 0.0), {}};
     }
+    scene_.carried->files.emplace_back(name, file);
     const std::vector<double>* pressure = frame.at_nodes("contact_pressure");
     for (std::size_t k = 0; k < nodes.size(); ++k) {
-      const auto node = static_cast<std::size_t>(nodes[k]), other = static_cast<std::size_t>(there[k]);
+      const int node = nodes[k], other = there[k];
       scene_.carried->has[node] = 1;
-      for (std::size_t i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i) {
         scene_.carried->displacement[node][i] = (*displacement[i])[other];
         scene_.carried->velocity[node][i] = velocity[i] ? (*velocity[i])[other] : 0;
       }
@@ -64,12 +65,31 @@ class StartMaker {
     }
   }
 
+  /// A file, and which of its nodes are those of the scene: by blocks of the same name, element by element; -1: none.
+  struct Source {
+    MeshFrame frame;
+    std::vector<int> nodes;
+  };
+
+  const Source& source_of(const fs::path& file) {
+    if (const auto known = sources_.find(file); known != sources_.end()) return known->second;
+    const Mesh& mesh = scene_.mesh.mesh;
+    Source source{read_last_frame(file), std::vector<int>(mesh.coordinates.size(), -1)};
+    for (const Block& block : mesh.blocks)
+      for (const Block& match : source.frame.mesh.blocks) {
+        const auto &mine = block.elements.nodes(), &others = match.elements.nodes();
+        if (match.name != block.name || match.elements.type() != block.elements.type() || others.size() != mine.size()) continue;
+        for (std::size_t k = 0; k < mine.size(); ++k) source.nodes[mine[k]] = others[k];
+      }
+    return sources_.emplace(file, std::move(source)).first->second;
+  }
+
   /// The components of a nodal vector; null, and an error where the vector must be there or is broken off.
   std::array<const std::vector<double>*, 3> vector_of(const MeshFrame& frame, const std::string& field, const fs::path& file,
                                                       const DeckPath& place) const {
     std::array<const std::vector<double>*, 3> components{};
     int n = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i) {
       const std::string name = field + "_" + "xyz"[i];
       components[i] = frame.at_nodes(name);
       if (components[i] == nullptr) continue;
@@ -93,31 +113,19 @@ class StartMaker {
     return false;
   }
 
-  /// The nodes of a file that are those of the scene: by blocks of the same name, element by element. Empty after an error.
-  std::vector<int> counterparts(const Mesh& other, const fs::path& file, const std::vector<int>& nodes,
+  /// The nodes of a file that stand for these of the scene. Empty after an error.
+  std::vector<int> counterparts(const Source& source, const fs::path& file, const std::vector<int>& nodes,
                                 const DeckPath& place) const {
-    const Mesh& mesh = scene_.mesh.mesh;
-    std::vector<int> other_node(mesh.coordinates.size(), -1);
-    for (const Block& block : mesh.blocks)
-      for (const Block& match : other.blocks) {
-        if (match.name != block.name || match.elements.nodes().size() != block.elements.nodes().size() ||
-            match.elements.type() != block.elements.type())
-          continue;
-        for (std::size_t k = 0; k < block.elements.nodes().size(); ++k)
-          other_node[static_cast<std::size_t>(block.elements.nodes()[k])] = match.elements.nodes()[k];
-      }
     std::vector<int> found;
     for (int node : nodes) {
-      const int there = other_node[static_cast<std::size_t>(node)];
+      const int there = source.nodes[node];
       const auto fail = [&](const std::string& what) {
         names_.error("D20", place, fmt::format("{} {} in \"{}\"", describe_node(scene_.mesh, node), what, file.string()));
         return std::vector<int>{};
       };
       if (there < 0) return fail("has no counterpart: no element block with the name and the elements of its own is");
-      double apart = 0;
-      for (std::size_t i = 0; i < 3; ++i)
-        apart = std::max(apart, std::abs(mesh.coordinates[static_cast<std::size_t>(node)][i] -
-                                         other.coordinates[static_cast<std::size_t>(there)][i]));
+      const Point &X = scene_.mesh.mesh.coordinates[node], &Y = source.frame.mesh.coordinates[there];
+      const double apart = norm(vec3(X) - vec3(Y));
       if (apart > 1e-9 * scene_.extent) return fail(fmt::format("is {:.3g} away from where its reference position is", apart));
       found.push_back(there);
     }
@@ -126,7 +134,7 @@ class StartMaker {
 
   const DeckNames& names_;
   Scene& scene_;
-  std::map<fs::path, MeshFrame> files_;
+  std::map<fs::path, Source> sources_;
 };
 
 }  // namespace

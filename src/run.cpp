@@ -202,12 +202,26 @@ void prepare_signals() {
 
 }  // namespace
 
+namespace {
+
+/// What a run begins with must not be what it replaces.
+void refuse_own_results(const Scene& scene, const fs::path& folder) {
+  if (!scene.carried) return;
+  for (const auto& [name, file] : scene.carried->files)
+    if (std::error_code none; fs::equivalent(file, folder / "results.e", none))
+      throw FileError(fmt::format("{}: error[I01] \"{}\" begins with the results in this folder - name another one with -o",
+                                  folder.string(), name));
+}
+
+}  // namespace
+
 ExitCode run_command(const RunOptions& options, const RCP<const Comm>& comm) {
   const auto begin = Clock::now();
   prepare_signals();
   Setup setup(Deck::read(options.deck), comm);
   const MarchState start = starting(setup.first_state());
   const fs::path folder = options.output.value_or(options.deck.stem());
+  refuse_own_results(setup.scene, folder);
   std::optional<RunFolder> held;
   on_root(*comm, [&] { held.emplace(RunFolder::begin(folder, options.overwrite)); });
   return Session(setup, comm, folder, options.quiet, nullptr, begin).march_on(start);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -93,6 +94,7 @@ struct CarriedState {
   std::vector<Vec3<double>> displacement;  ///< [m]
   std::vector<Vec3<double>> velocity;      ///< [m/s]
   std::vector<double> pressure;            ///< contact pressure [Pa]
+  Named<std::filesystem::path> files;      ///< by body, masses or string
 };
 
 /// A part of a run: a scheme, and how its steps go to its end.

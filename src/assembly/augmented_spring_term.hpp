@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "assembly/dof_space.hpp"
+#include "assembly/line_point.hpp"
 #include "assembly/system_matrix.hpp"
 #include "physics/time_scheme.hpp"
 
@@ -26,7 +27,7 @@ class AugmentedSpringTerm {
 
   /// Local index of v; lambda is the next one.
   int unknowns() const { return unknowns_; }
-  double rest_length() const { return L_; }  ///< [m]
+  double rest_length() const { return rest_length_; }  ///< [m]
 
   /// Adds the force of a step from `x_n` to `x` as a whole, whatever the scheme's reading, to `f`; all on the overlap.
   /// @return false if the squared stretch is not one on this rank
@@ -42,16 +43,14 @@ class AugmentedSpringTerm {
   double energy(const double* x) const;
 
  private:
-  Vec3<double> tangent(const double* x) const;
   bool is_admissible(double v) const;
 
   StretchLaw law_;
   Activity activity_;
   bool is_anchored_;
-  double L_, energy_;                // [m], c L^2 [J]
-  Vec3<double> fixed_{};             // part of t that does not move: of the anchor
+  double rest_length_;  // [m]
+  LinePoint line_;
   std::vector<int> points_, local_;  // of the nodes, then its own; empty: on another rank
-  std::vector<double> slopes_;       // dt/dq of the nodes [1/m]
   int unknowns_ = -1;
   std::size_t cell_ = 0;
 };

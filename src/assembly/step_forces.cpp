@@ -106,10 +106,8 @@ void StepProblem::move_supports(const State& from, double t, std::string& fault)
   acting_ = acting;
 }
 
-// Adds the forces of bodies and lines, on the overlap, and to `of_step` those that are one for the whole step whatever its
-// reading of forces. @return false: a state is inadmissible on this rank
-bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal,
-                               Vector& of_step) {
+// Adds the forces of bodies and lines, on the overlap. @return false: a state is inadmissible on this rank
+bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal) {
   const bool is_algorithmic = scheme_.forces == ForceReading::algorithmic;
   const double *x = data(overlap_x), *x_theta = data(at_theta), *x_n = is_algorithmic ? data(*start_x_) : nullptr;
   double* f = data(internal);
@@ -130,11 +128,20 @@ bool StepProblem::add_internal(const Vector& overlap_x, const Vector& at_theta, 
     is_good &=
         with_tangent ? term.add_tangent(x_n, at, is_algorithmic ? 1 : scheme_.theta, f, *matrix_) : term.add_force(x_n, at, f);
   }
-  const double* start = start_x_.is_null() ? x : data(static_cast<const Vector&>(*start_x_));
+  return is_good;
+}
+
+// The forces that are one for the whole step, whatever its reading of forces: of augmented springs, on the overlap; null without.
+// @return as above
+bool StepProblem::add_of_step(const Vector& overlap_x, bool with_tangent, RCP<Vector>& of_step) {
+  if (augmented_springs_.empty()) return true;
+  of_step = Teuchos::rcp(new Vector(dofs_.overlap_map()));
+  const double *x = data(overlap_x), *start = start_x_.is_null() ? x : data(static_cast<const Vector&>(*start_x_));
+  bool is_good = true;
   for (const auto& spring : augmented_springs_) {
     if (!spring.acts_at(acting_time_)) continue;
-    is_good &= with_tangent ? spring.add_tangent(scheme_, start, x, data(of_step), *matrix_)
-                            : spring.add_force(scheme_, start, x, data(of_step));
+    is_good &= with_tangent ? spring.add_tangent(scheme_, start, x, data(*of_step), *matrix_)
+                            : spring.add_force(scheme_, start, x, data(*of_step));
   }
   return is_good;
 }
@@ -175,11 +182,13 @@ RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
   const auto at_theta = is_mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
   const auto force = of_springs(*at_theta, is_algorithmic ? data(*start_x_) : nullptr, is_algorithmic ? *overlap_x : *at_theta);
   if (is_mean) force->update(1 - scheme_.theta, *of_springs(*start_x_, nullptr, *start_x_), scheme_.theta);
-  Vector of_step(dofs_.overlap_map());
-  for (const auto& spring : augmented_springs_)
-    if (spring.is_anchored() && spring.acts_at(acting_time_))
-      spring.add_force(scheme_, data(*start_x_), data(*overlap_x), data(of_step));
-  force->update(1.0, *owned_sum(of_step), 1.0);
+  if (!augmented_springs_.empty()) {
+    Vector of_step(dofs_.overlap_map());
+    for (const auto& spring : augmented_springs_)
+      if (spring.is_anchored() && spring.acts_at(acting_time_))
+        spring.add_force(scheme_, data(*start_x_), data(*overlap_x), data(of_step));
+    force->update(1.0, *owned_sum(of_step), 1.0);
+  }
   force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size()), 1.0);
   return force;
 }

@@ -71,13 +71,18 @@ std::pair<double, Vec3<double>> StepProblem::mass_and_centre(const InertiaTerm& 
   return {sum[0], {sum[1] / sum[0], sum[2] / sum[0], sum[3] / sum[0]}};
 }
 
+// What another run left, at the nodes that have something of it.
+void StepProblem::add_carried(const std::vector<Vec3<double>>& values, Vector& to) const {
+  double* at = data(to);
+  for (int node = 0; node < dofs_.n_nodes(); ++node)
+    if (scene_.carried->has[node] && dofs_.owned(node))
+      for (int i = 0; i < 3; ++i) at[dofs_.local(node) + i] += values[node][i];
+}
+
 // Nodes that two bodies share move as the later one of the deck says, those of masses as these.
 void StepProblem::place_bodies(Vector& positions) const {
   double* x = data(positions);
-  if (const auto& carried = scene_.carried)
-    for (int node = 0; node < dofs_.n_nodes(); ++node)
-      if (carried->has[node] && dofs_.owned(node))
-        for (int i = 0; i < 3; ++i) x[dofs_.local(node) + i] += carried->displacement[node][i];
+  if (scene_.carried) add_carried(scene_.carried->displacement, positions);
   for (const auto& term : inertias_) {
     if (!term.initial() || !term.initial()->rotation) continue;
     const Vec3<double> centre = centre_of_turning(term, *reference_state());
@@ -108,10 +113,7 @@ RCP<Vector> StepProblem::initial_velocities(const Vector& positions) const {
       for (int i = 0; i < 3; ++i) v[at + i] = moving[i];
     }
   }
-  if (const auto& carried = scene_.carried)
-    for (int node = 0; node < dofs_.n_nodes(); ++node)
-      if (carried->has[node] && dofs_.owned(node))
-        for (int i = 0; i < 3; ++i) v[dofs_.local(node) + i] += carried->velocity[node][i];
+  if (scene_.carried) add_carried(scene_.carried->velocity, *velocities);
   return velocities;
 }
 

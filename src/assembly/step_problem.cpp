@@ -238,7 +238,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   update_search(x, *overlap_x);
 
   const auto at_theta = scheme_.forces == ForceReading::mean ? overlap_x : positions_at(scheme_.theta, overlap_x);
-  Vector internal(dofs_.overlap_map()), of_step(dofs_.overlap_map()), contact(dofs_.overlap_map());
+  Vector internal(dofs_.overlap_map()), contact(dofs_.overlap_map());
+  RCP<Vector> of_step;
   NodalSums sums(dofs_);
   int admissible = 1;
   {
@@ -247,7 +248,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       refresh_constants();
       matrix_->reset();
     }
-    admissible = add_internal(*overlap_x, *at_theta, with_tangent, internal, of_step);
+    admissible = add_internal(*overlap_x, *at_theta, with_tangent, internal) && add_of_step(*overlap_x, with_tangent, of_step);
     admissible = all_reduced(*dofs_.comm(), Teuchos::REDUCE_MIN, admissible);
   }
   if (!admissible) return out;
@@ -265,7 +266,7 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   add_springs(*at_theta, internal);
   out.internal = owned_sum(internal);
   if (scheme_.forces == ForceReading::mean) out.internal->update(1 - scheme_.theta, *internal_before_, scheme_.theta);
-  if (!augmented_springs_.empty()) out.internal->update(1.0, *owned_sum(of_step), 1.0);
+  if (!of_step.is_null()) out.internal->update(1.0, *owned_sum(*of_step), 1.0);
   out.damping = damping(*overlap_x);
   out.inertia = inertia(*overlap_x);
   out.contact = owned_sum(contact);
@@ -280,6 +281,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   out.prescribed = acting_;
 
   identity_rows_.assign(dofs_.n_owned(), 0);
+  for (const auto& spring : augmented_springs_)
+    if (spring.is_here() && !spring.acts_at(acting_time_))
+      for (int m = 0; m < 2; ++m) identity_rows_[spring.unknowns() + m] = 1;
   LawRows rows(dofs_.owned_map());
   if (!contacts_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
 
@@ -295,12 +299,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
     double squares = 0;
     for (int k = 0; k < dofs_.n_owned_positions(); ++k)
       if (!identity_rows_[k]) squares += r[k] * r[k];
-    for (const auto& spring : augmented_springs_) {
-      if (!spring.is_here()) continue;
-      const int row = spring.unknowns();
-      if (!spring.acts_at(acting_time_)) identity_rows_[row] = identity_rows_[row + 1] = 1;
-      squares += std::pow(2 / spring.rest_length() * r[row], 2);
-    }
+    for (const auto& spring : augmented_springs_)
+      if (spring.is_here()) squares += std::pow(2 / spring.rest_length() * r[spring.unknowns()], 2);
     for (const auto& [row, scale, floor] : constraint_rows_)
       if (const double missed = std::abs(r[row]) / scale; missed > floor) greatest[4] = std::max(greatest[4], missed);
     out.force_residual = std::sqrt(all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, squares));

@@ -189,6 +189,7 @@ class StepProblem {
   void build_graph();
   void refresh_constants();
   void place_bodies(Vector& x) const;
+  void add_carried(const std::vector<Vec3<double>>& values, Vector& x) const;
   RCP<Vector> initial_velocities(const Vector& x) const;
   Vec3<double> centre_of_turning(const InertiaTerm& term, const Vector& x) const;
   void move_supports(const State& from, double t, std::string& fault);
@@ -199,7 +200,8 @@ class StepProblem {
   RCP<Vector> external(const Vector& overlap_x, bool with_tangent);
   RCP<Vector> dead(double t, std::string& fault) const;
   RCP<Vector> positions_at(double theta, const RCP<Vector>& overlap_x) const;
-  bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal, Vector& of_step);
+  bool add_internal(const Vector& overlap_x, const Vector& at_theta, bool with_tangent, Vector& internal);
+  bool add_of_step(const Vector& overlap_x, bool with_tangent, RCP<Vector>& of_step);
   void find_forces_before(double t_before, std::string& fault);
   void find_gaps_before(const Vector& x);
   struct ContactPass {

@@ -22,15 +22,8 @@ Vec3<Fad> constant(const Vec3<double>& t) { return {Fad(t[0]), Fad(t[1]), Fad(t[
 StretchTerm::StretchTerm(const NodeSpring& spring, const DofSpace& dofs)
     : law_(spring.law), activity_(spring.activity), is_anchored_(!spring.to) {
   if (!dofs.owned(spring.from)) return;
-  const double L = spring.rest_length;
-  Line line{{spring.from}, {dofs.local(spring.from)}, {{{-1 / L}, {0, 0, 0}, spring.stiffness * L * L}}};
-  if (spring.to) {
-    line.nodes.push_back(*spring.to);
-    line.local.push_back(dofs.local(*spring.to));
-    line.points[0].slopes.push_back(1 / L);
-  } else {
-    for (int i = 0; i < 3; ++i) line.points[0].fixed[i] = spring.anchor[i] / L;
-  }
+  Line line{nodes_of(spring), {}, {point_of(spring)}};
+  for (int node : line.nodes) line.local.push_back(dofs.local(node));
   lines_.push_back(std::move(line));
 }
 
@@ -42,7 +35,7 @@ StretchTerm::StretchTerm(const Scene& scene, const String& string, const Partiti
     Line line{{nodes.begin(), nodes.end()}, {}, {}};
     for (int node : nodes) line.local.push_back(dofs.local(node));
     for (const PointOfBar& at : points_of_bar(scene.mesh.mesh, nodes, static_cast<int>(nodes.size()) - 1)) {
-      Point point{{}, {0, 0, 0}, string.axial_stiffness * at.length};
+      LinePoint point{{}, {}, string.axial_stiffness * at.length};
       for (std::size_t a = 0; a < nodes.size(); ++a) point.slopes.push_back(at.dN_dS[a]);
       line.points.push_back(std::move(point));
     }
@@ -55,18 +48,11 @@ void StretchTerm::append_cells(std::vector<Cell>& cells) {
   for (const Line& line : lines_) cells.push_back(line.nodes);
 }
 
-Vec3<double> StretchTerm::tangent(const Line& line, const Point& point, const double* x) {
-  Vec3<double> t = point.fixed;
-  for (std::size_t a = 0; a < line.local.size(); ++a)
-    for (int i = 0; i < 3; ++i) t[i] += point.slopes[a] * x[line.local[a] + i];
-  return t;
-}
-
 bool StretchTerm::add_force(const double* x_n, const double* x, double* f) const {
   return with_stretch_law(law_, [&](auto law) {
     for (const Line& line : lines_)
-      for (const Point& point : line.points) {
-        const Vec3<double> t = tangent(line, point, x), t_n = x_n ? tangent(line, point, x_n) : t;
+      for (const LinePoint& point : line.points) {
+        const Vec3<double> t = point.tangent(line.local, x), t_n = x_n ? point.tangent(line.local, x_n) : t;
         if (!is_admissible(t)) return false;
         const Vec3<double> n = point.energy * tension<decltype(law)>(t_n, t);
         for (std::size_t a = 0; a < line.local.size(); ++a)
@@ -82,10 +68,10 @@ bool StretchTerm::add_tangent(const double* x_n, const double* x, double factor,
       const Line& line = lines_[l];
       const std::size_t size = line.local.size();
       std::vector<double> K(9 * size * size, 0.0);
-      for (const Point& point : line.points) {
-        const Vec3<double> t = tangent(line, point, x);
+      for (const LinePoint& point : line.points) {
+        const Vec3<double> t = point.tangent(line.local, x);
         if (!is_admissible(t)) return false;
-        const Vec3<Fad> end = seeded(t), n = tension<decltype(law)>(x_n ? constant(tangent(line, point, x_n)) : end, end);
+        const Vec3<Fad> end = seeded(t), n = tension<decltype(law)>(x_n ? constant(point.tangent(line.local, x_n)) : end, end);
         for (std::size_t a = 0; a < size; ++a)
           for (int i = 0; i < 3; ++i) {
             const double force = point.energy * point.slopes[a];
@@ -104,8 +90,8 @@ double StretchTerm::energy(const double* x) const {
   return with_stretch_law(law_, [&](auto law) {
     double energy = 0;
     for (const Line& line : lines_)
-      for (const Point& point : line.points) {
-        const Vec3<double> t = tangent(line, point, x);
+      for (const LinePoint& point : line.points) {
+        const Vec3<double> t = point.tangent(line.local, x);
         energy += point.energy * law.energy(dot(t, t));
       }
     return energy;

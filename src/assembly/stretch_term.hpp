@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "assembly/dof_space.hpp"
+#include "assembly/line_point.hpp"
 #include "assembly/system_matrix.hpp"
 
 namespace mortise {
 
 /// Force of lines with the energy  V = sum_g E_g w(t_g . t_g),  t = dq/dS = sum_a N'_a q_a  at their quadrature points, with the
-/// sign of an internal force (physics/stretch_laws.hpp). A spring is a line with one point and N' = -1/L, 1/L (thesis 6.1).
+/// sign of an internal force (physics/stretch_laws.hpp). A spring is a line with one point.
 class StretchTerm {
  public:
   /// The rank that owns the spring's first node has it.
@@ -34,16 +35,10 @@ class StretchTerm {
   double energy(const double* x) const;
 
  private:
-  struct Point {
-    std::vector<double> slopes;  // N'_a [1/m]
-    Vec3<double> fixed;          // part of t that does not move: of an anchor
-    double energy;               // E_g [J]
-  };
   struct Line {
     std::vector<int> nodes, local;
-    std::vector<Point> points;
+    std::vector<LinePoint> points;
   };
-  static Vec3<double> tangent(const Line& line, const Point& point, const double* x);
 
   StretchLaw law_;
   Activity activity_;

@@ -126,12 +126,9 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
       text += fmt::format("mesh \"{}\" recipe {}\n", name, name_of_kind(*mesh.recipe));
     }
   }
-  for (const auto& [name, initial] : deck.options().initial_conditions) {
-    if (!initial.state) continue;
-    fs::path file = deck.file().parent_path() / *initial.state;
-    if (fs::is_directory(file)) file /= "results.e";
-    text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
-  }
+  if (scene.carried)
+    for (const auto& [name, file] : scene.carried->files)
+      text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
   const int n_q = 3 * problem.dofs().n_nodes();
   text += fmt::format(
       "ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements, {} of springs)\nelements {}\n",

@@ -96,6 +96,16 @@ TEST_F(StateOfAnotherRun, IsRefusedWhereItDoesNotFit) {
   expect_refused(text, 3, "error[M01]");
 }
 
+TEST_F(StateOfAnotherRun, IsNotOverwrittenByTheRunThatBeginsWithIt) {
+  run("first", FlyingBar{});
+  const std::string before = text_of(folder / "first" / "results.e");
+  folder.write("second.xml", going_on());
+  const auto run = run_mortise(folder, "run second.xml -o first --overwrite --quiet");
+  EXPECT_EQ(run.code, 5) << run.err;
+  EXPECT_NE(run.err.find("begins with the results in this folder - name another one with -o"), std::string::npos) << run.err;
+  EXPECT_TRUE(text_of(folder / "first" / "results.e") == before);
+}
+
 TEST_F(StateOfAnotherRun, IsRefusedIfItMovesWithoutVelocities) {
   FlyingBar first;
   first.fields = "{displacement}";

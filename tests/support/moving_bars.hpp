@@ -35,6 +35,14 @@ struct FreeBar {
   }
 };
 
+/// Supports that keep a bar along x straight: the sides of mesh "bar" slide in their planes.
+inline std::string straight_sides() {
+  std::string supports;
+  for (const char* side : {"front", "back", "bottom", "top"})
+    supports += list(side, word("type", "symmetry") + word("set", "bar/" + std::string(side)));
+  return supports;
+}
+
 /// A bar of 20 elements along x that flies against whatever its left end meets.
 struct FlyingBar {
   std::string scheme = "energy momentum", closing = "persistent", model = "linear elastic";
@@ -46,16 +54,13 @@ struct FlyingBar {
     const std::string mesh = word("recipe", "block") + deck_parameter("size", "Array(double)", "{10, 0.5, 0.5}") +
                              deck_parameter("elements", "Array(int)", "{20, 1, 1}") +
                              deck_parameter("origin", "Array(double)", "{5.05, 0, 0}");
-    std::string supports;
-    for (const char* side : {"front", "back", "bottom", "top"})
-      supports += list(side, word("type", "symmetry") + word("set", "bar/" + std::string(side)));
     return list("bar",
                 list("meshes", list("bar", mesh)) +
                     list("materials", list("elastic", word("model", model) + number("youngs modulus", "900") +
                                                           number("poissons ratio", "0") + number("density", "1"))) +
                     list("bodies", list("bar", word("mesh", "bar") + word("material", "elastic") + word("mass", "lumped"))) +
                     list("initial conditions", list("bar", deck_parameter("velocity", "Array(double)", "{-10, 0, 0}"))) +
-                    list("supports", supports) +
+                    list("supports", straight_sides()) +
                     list("obstacles", list("wall", obstacle + word("set", "bar/left") + word("closing", closing) + end_of_wall)) +
                     list("time", word("scheme", scheme) + number("step", step) + number("end", end)));
   }

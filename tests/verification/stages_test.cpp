@@ -20,23 +20,19 @@ struct PulledBar {
   operator std::string() const {
     const std::string mesh = word("recipe", "block") + deck_parameter("size", "Array(double)", "{10, 0.5, 0.5}") +
                              deck_parameter("elements", "Array(int)", "{20, 1, 1}");
-    std::string supports = list("wall", word("set", "bar/left") + number_of("x") + number_of("y") + number_of("z"));
-    for (const char* side : {"front", "back", "bottom", "top"})
-      supports += list(side, word("type", "symmetry") + word("set", "bar/" + std::string(side)));
+    const std::string wall = list("wall", word("set", "bar/left") + word("x", "0") + word("y", "0") + word("z", "0"));
     return list("bar",
                 list("meshes", list("bar", mesh)) +
                     list("materials", list("elastic", word("model", model) + number("youngs modulus", "900") +
                                                           number("poissons ratio", "0") + number("density", "1"))) +
-                    list("bodies", list("bar", word("mesh", "bar") + word("material", "elastic"))) + list("supports", supports) +
+                    list("bodies", list("bar", word("mesh", "bar") + word("material", "elastic"))) +
+                    list("supports", wall + straight_sides()) +
                     list("loads", list("pull", word("type", kind) + (kind == "body force" ? "" : word("set", "bar/right")) +
                                                    word("x", force))) +
                     list("probes", list("tip", word("quantity", "displacement_x") + word("mesh", "bar") +
                                                    deck_parameter("nearest", "Array(double)", "{10, 0, 0}"))) +
                     lists + stages);
   }
-
- private:
-  static std::string number_of(const std::string& axis) { return word(axis, "0"); }
 };
 
 PulledBar released(const std::string& scheme) {
