@@ -60,7 +60,15 @@ std::string table(const TermResult& result) {
   return text;
 }
 
-std::string csv(const std::vector<TermResult>& results) {
+std::string table(const std::vector<StepTangent>& steps) {
+  std::string text = "tangents of whole steps at the deformed state, against central differences\n";
+  for (const StepTangent& step : steps)
+    text +=
+        fmt::format("  {}: {:.1e}, {} rows along {} directions\n", step.name, step.difference, step.n_rows, n_step_directions);
+  return text;
+}
+
+std::string csv(const std::vector<TermResult>& results, const std::vector<StepTangent>& steps) {
   std::string text = "term,state,way,chosen,compared,kinks,difference,order,orders,seconds,relative_time\n";
   for (const TermResult& result : results)
     for (std::size_t s = 0; s < checked_states.size(); ++s)
@@ -73,6 +81,9 @@ std::string csv(const std::vector<TermResult>& results) {
                             way.order ? fmt::format("{:.6f}", *way.order) : "", way.n_orders, way.seconds,
                             unit > 0 ? way.seconds / unit : 0.0);
       }
+  for (const StepTangent& step : steps)
+    text +=
+        fmt::format("{},deformed,whole step,{},{},0,{:.6e},,0,,\n", quoted(step.name), step.n_rows, step.n_rows, step.difference);
   return text;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "tangents/checked_step.hpp"
 #include "tangents/tangent_check.hpp"
 
 namespace mortise {
@@ -20,7 +21,11 @@ struct TermResult {
 /// The table of one term.
 std::string table(const TermResult& result);
 
-/// All terms: columns term, state, way, chosen, compared, kinks, difference, order, orders, seconds, relative_time.
-std::string csv(const std::vector<TermResult>& results);
+/// The tangents of whole steps.
+std::string table(const std::vector<StepTangent>& steps);
+
+/// All terms, then the steps: columns term, state, way, chosen, compared, kinks, difference, order, orders, seconds,
+/// relative_time.
+std::string csv(const std::vector<TermResult>& results, const std::vector<StepTangent>& steps);
 
 }  // namespace mortise

@@ -44,8 +44,8 @@ ExitCode tangents_command(const TangentsOptions& options, const RCP<const Comm>&
   refuse_to_overwrite(options, *comm);
   if (!options.deck) return study(options, *comm);
   const bool is_root = comm->getRank() == 0;
-  const Setup setup(Deck::read(*options.deck), comm);
-  const StepProblem& problem = setup.problem;
+  Setup setup(Deck::read(*options.deck), comm);
+  StepProblem& problem = setup.problem;
   const Perturbation deformed = perturbed(problem);
   const std::array states{problem.to_overlap(*problem.reference_state()), problem.to_overlap(*deformed.x)};
   if (is_root)
@@ -65,7 +65,14 @@ ExitCode tangents_command(const TangentsOptions& options, const RCP<const Comm>&
     if (is_root) std::cout << '\n' << table(result) << std::flush;
     results.push_back(std::move(result));
   }
-  write(options, *comm, csv(results));
+  const auto steps = check_steps(problem, *deformed.x);
+  for (const StepTangent& step : steps)
+    if (!(step.difference <= step_tangent_limit))
+      messages.push_back(
+          fmt::format("{}: {}, deformed state: differs by {:.1e} from central differences of the residual, more than {:g}",
+                      options.deck->string(), step.name, step.difference, step_tangent_limit));
+  if (is_root && !steps.empty()) std::cout << '\n' << table(steps) << std::flush;
+  write(options, *comm, csv(results, steps));
   if (!messages.empty()) throw UserError(ExitCode::tangent_disagrees, messages);
   if (is_root) std::cout << "\nall tangents agree\n";
   return ExitCode::done;

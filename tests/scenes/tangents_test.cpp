@@ -8,7 +8,7 @@ namespace {
 
 std::string deck(const std::string& name) { return std::string("'") + MORTISE_SOURCE_DIR + "/inputs/" + name + "'"; }
 
-/// The table without the times, which differ from run to run.
+/// The table without the times, which differ from run to run, and the differences of whole steps, which are round-off.
 std::vector<std::vector<std::string>> figures(const std::filesystem::path& file) {
   std::ifstream in(file);
   std::vector<std::vector<std::string>> rows;
@@ -17,6 +17,10 @@ std::vector<std::vector<std::string>> figures(const std::filesystem::path& file)
     std::vector<std::string> cells{line.substr(0, name_end)};
     std::stringstream rest(line.substr(name_end));
     for (std::string cell; std::getline(rest, cell, ',') && cells.size() < 10;) cells.push_back(cell);
+    if (cells.size() > 7 && cells[3] == "whole step") {
+      EXPECT_LE(std::stod(cells[7]), 1e-8) << line;
+      cells[7] = "";
+    }
     rows.push_back(cells);
   }
   return rows;
@@ -31,7 +35,7 @@ TEST(Tangents, OfTheIroningSceneAgreeOnOneTwoAndFourRanks) {
     EXPECT_NE(done.out.find("body \"slab\" (hex8, standard, neo-hookean): 20 of 300 elements"), std::string::npos) << done.out;
     EXPECT_EQ(count_of(done.out, "all tangents agree"), 1);
     const auto rows = figures(folder / file);
-    ASSERT_EQ(rows.size(), 1U + 2 * (7 + 7 + 6));  // two bodies and one pair at two states
+    ASSERT_EQ(rows.size(), 1U + 2 * (7 + 7 + 6) + 1);  // two bodies and one pair at two states, a step
     EXPECT_EQ(rows, figures(folder / "t1.csv"));
   }
 }
