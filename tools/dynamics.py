@@ -164,6 +164,7 @@ WALL_CASES = (("newmark", "position", {"allow unstable": ("bool", "true")}), ("t
               ("generalised alpha", "persistent", {"spectral radius": ("double", "0.8")}),
               ("hht", "position", {"alpha": ("double", "0.1")}), ("midpoint", "position", {}),
               ("energy momentum", "position", {}), ("energy momentum", "modified", {}), ("energy momentum", "persistent", {}),
+              ("energy momentum", "velocity update", {}), ("midpoint", "velocity update", {}), ("backward euler", "velocity update", {}),
               ("newmark", "position", {"mass": "lumped off contact"}), ("trapezoidal", "position", {"mass": "lumped off contact"}),
               ("energy momentum", "position", {"mass": "lumped off contact"}))
 

@@ -88,7 +88,7 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
 
 // The weighted gap [m^3] from which a covered node's closing counts in this step; nothing: the node is not in contact in it.
 std::optional<double> StepProblem::start_of_closing(const ContactNodes& nodes, std::size_t k, int at, double pressure) const {
-  if (nodes.closing == Closing::position || dt_ == 0) return 0;
+  if (!counts_from_start(nodes.closing) || dt_ == 0) return 0;
   const double before = data(static_cast<const Vector&>(*start_gap_))[at],
                area = data(static_cast<const Vector&>(*start_area_))[at];
   if (nodes.closing == Closing::modified) return pressure > 0 ? before : 0;
@@ -97,15 +97,14 @@ std::optional<double> StepProblem::start_of_closing(const ContactNodes& nodes, s
 }
 
 void StepProblem::find_gaps_before(const Vector& x) {
-  const bool is_needed = dt_ > 0 && std::any_of(contacts_.begin(), contacts_.end(), [](const auto& contact) {
-                           return contact->nodes().closing != Closing::position;
-                         });
+  const bool is_needed = dt_ > 0 && std::any_of(contacts_.begin(), contacts_.end(),
+                                                [](const auto& contact) { return counts_from_start(contact->nodes().closing); });
   if (!is_needed) return;
   update_search(x, *start_x_);
   NodalSums sums(dofs_);
   Vector unused(dofs_.overlap_map());
   for (auto& contact : contacts_)
-    if (acts(*contact) && contact->nodes().closing != Closing::position)
+    if (acts(*contact) && counts_from_start(contact->nodes().closing))
       contact->integrate(data(*start_x_), false, data(unused), sums);
   start_gap_ = owned_sum(sums.weighted_gap);
   start_area_ = owned_sum(sums.covered_area);

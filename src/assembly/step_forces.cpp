@@ -270,4 +270,20 @@ RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::siz
   return owned_sum(contact);
 }
 
+RCP<Vector> StepProblem::push(const Vector& x, std::size_t k) {
+  const auto force = contact_force_of(to_overlap(x), k, k + 1);
+  force->scale(-1.0);
+  return force;
+}
+
+RCP<Vector> StepProblem::push_at_end(const Vector& x, std::size_t k) {
+  const auto overlap_x = to_overlap(x);
+  Vector force(dofs_.overlap_map());
+  NodalSums unused(dofs_);
+  if (acts(*contacts_[k])) contacts_[k]->integrate(data(*overlap_x), false, data(force), unused);
+  const auto push = owned_sum(force);
+  push->scale(-1.0);
+  return push;
+}
+
 }  // namespace mortise

@@ -346,12 +346,12 @@ void StepProblem::put_identity_rows() {
 }
 
 Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
-  const auto force = contact_force_of(to_overlap(x), k, k + 1);
+  const auto force = push(x, k);
   const double* f = data(*force);
   std::vector<double> sum(3, 0.0);
   for (int node : contacts_[k]->nodes().secondary_nodes)
     if (dofs_.owned(node))
-      for (int i = 0; i < 3; ++i) sum[i] -= f[dofs_.local(node) + i];
+      for (int i = 0; i < 3; ++i) sum[i] += f[dofs_.local(node) + i];
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, sum);
   return {sum[0], sum[1], sum[2]};
 }

@@ -33,6 +33,12 @@ struct State {
   RCP<Vector> v, a;  ///< velocities [m/s] and accelerations [m/s^2] at the rows of positions; null in statics
 };
 
+/// A jump of velocities at the end of a step and the impulses of contact behind it [N s]: on the bodies, and the part of them
+/// that comes from the ground. On the owned map.
+struct VelocityJump {
+  RCP<Vector> change, impulse, impulse_of_ground;
+};
+
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
 struct Evaluation {
   bool admissible = false;  ///< det F > 0 everywhere; if false nothing else is of use
@@ -56,9 +62,10 @@ struct Evaluation {
   /// Greatest part of its volume by which a mixed element misses what its pressure asks for, or |Phi| of an augmented spring
   /// beyond round-off [-].
   double constraint_residual = 0;
-  double support_residual = 0;  ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;     ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;    ///< per multiplier, on the rank that owns it: something lies opposite the node
+  double support_residual = 0;       ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;          ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;         ///< per multiplier, on the rank that owns it: something lies opposite the node
+  std::optional<VelocityJump> jump;  ///< after the step's solution, see `update_velocities`
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -176,6 +183,10 @@ class StepProblem {
   /// What pushes from outside through springs to the ground, anchored springs, obstacles and rods in this step; sign of the
   /// residual. Null where the scene has none.
   RCP<Vector> force_from_ground(const Vector& x);
+
+  /// What one contact pushes the bodies with in this step [N], and would with its Jacobian at the end of the step; owned.
+  RCP<Vector> push(const Vector& x, std::size_t contact);
+  RCP<Vector> push_at_end(const Vector& x, std::size_t contact);
 
   /// Contact force of this step with pressures `p` taken from `pressures` and positions from `x`; sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);

@@ -101,6 +101,8 @@ class MotionChecks {
     if (has_pairs && scheme.has_discrete_contact)
       report("D19", stage.at("scheme"),
              "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
+    for (const auto& [name, contact] : options_.contact) check_closing({"contact", name}, contact.closing, stage);
+    for (const auto& [name, obstacle] : options_.obstacles) check_closing({"obstacles", name}, obstacle.closing, stage);
     if (scheme.is_explicit_in_position &&
         (has_contact || has_any("supports", options_.supports) || !plane_strain_supports(options_).empty()))
       report("D19", stage.at("scheme"), "takes no supports and no contact, obstacles or rods: it is explicit");
@@ -110,6 +112,13 @@ class MotionChecks {
         report("D19", {"springs", name, "formulation"},
                "cannot be \"augmented\" for " + stage.with_scheme() + ", which is explicit");
     }
+  }
+
+  /// A jump of velocities does not fit a scheme that goes on with accelerations.
+  void check_closing(const std::vector<std::string>& path, Closing closing, const DeckStage& stage) {
+    if (closing == Closing::velocity_update && stage.has(path[0], path[1]) && stage.scheme().alpha)
+      report("D19", {path[0], path[1], "closing"},
+             "cannot be \"velocity update\" for " + stage.with_scheme() + ", which carries accelerations on - take \"position\"");
   }
 
   /// Whether no mass stands at nodes that touch.

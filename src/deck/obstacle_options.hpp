@@ -14,21 +14,29 @@ namespace mortise {
 
 /// What a closed node fulfils at the end of a step.
 enum class Closing {
-  position,   ///< gap = 0
-  modified,   ///< gap as at the start of the step, once it would fall below 0 (thesis eqs. 5.95, 5.98)
-  persistent  ///< the same, for nodes that touched at the start of the step only
+  position,        ///< gap = 0
+  modified,        ///< gap as at the start of the step, once it would fall below 0 (thesis eqs. 5.95, 5.98)
+  persistent,      ///< the same, for nodes that touched at the start of the step only
+  velocity_update  ///< gap = 0; then velocities jump by what gives back the work of the contact (Laursen & Love 2002)
 };
+
+/// Whether closing counts from the gap at the start of the step.
+constexpr bool counts_from_start(Closing closing) { return closing == Closing::modified || closing == Closing::persistent; }
 
 template <class Fields>
 void describe(Fields& f, Closing& o) {
   f.choice(
       "closing", o,
-      Choices<Closing>{{"position", Closing::position}, {"modified", Closing::modified}, {"persistent", Closing::persistent}},
+      Choices<Closing>{{"position", Closing::position},
+                       {"modified", Closing::modified},
+                       {"persistent", Closing::persistent},
+                       {"velocity update", Closing::velocity_update}},
       Presence::optional,
       "what contact asks for at the end of a step. position: no gap; takes energy when a node closes. modified: the gap as it "
       "was at the start of the step, as soon as it would be negative; takes no energy, and stops short. persistent: velocities "
       "that do not close, for nodes that touched at the start; takes no energy, and lets a node in by one step of its "
-      "velocity");
+      "velocity. velocity update: no gap; then velocities jump along the contact force so that contact has taken no energy; of "
+      "first order, for comparison");
 }
 
 namespace obstacles {

@@ -95,6 +95,30 @@ ContactWork contact_work(const Ledger& ledger, StepProblem& problem, const State
   return work;
 }
 
+/// Work of the forces behind a jump of velocities, of contact and of supports, and their impulses with moments about the origin.
+struct JumpWork {
+  double contact = 0, reaction = 0;
+  std::vector<double> from_outside = std::vector<double>(6, 0.0);
+};
+
+JumpWork jump_work(const StepProblem& problem, const State& now, const Evaluation& at) {
+  JumpWork work;
+  if (!at.jump) return work;
+  Vector mean(*now.v, Teuchos::Copy), outside(*at.jump->impulse_of_ground, Teuchos::Copy), reaction(mean.getMap());
+  mean.update(-0.5, *at.jump->change, 1.0);
+  const auto momenta = problem.momenta(*at.jump->change);
+  for (const auto& p : *at.prescribed)
+    if (problem.dofs().owned(p.node)) {
+      const int k = problem.dofs().local(p.node) + p.axis;
+      data(reaction)[k] = data(*momenta)[k] - data(*at.jump->impulse)[k];
+    }
+  outside.update(1.0, reaction, 1.0);
+  work.contact = at.jump->impulse->dot(mean);
+  work.reaction = reaction.dot(mean);
+  work.from_outside = resultant(problem, *now.x, outside);
+  return work;
+}
+
 }  // namespace
 
 double Ledger::linear_mismatch() const { return distance(linear_momentum, linear_balance); }
@@ -135,10 +159,14 @@ void add_step(Ledger& ledger, StepProblem& problem, const State& before, const S
 
   const Rest rest = rest_of(problem, at);
   const double damping = at.damping.is_null() ? 0 : at.damping->dot(dq), inertia = at.inertia.is_null() ? 0 : at.inertia->dot(dq);
-  const double internal = at.internal->dot(dq), external = at.external->dot(dq) + rest.reaction.dot(dq),
+  const JumpWork jump = jump_work(problem, now, at);
+  const double internal = at.internal->dot(dq), external = at.external->dot(dq) + rest.reaction.dot(dq) + jump.reaction,
                residual = rest.residual.dot(dq), stored = ledger.strain_energy - strain_before,
-               moved = ledger.kinetic_energy - kinetic_before, algorithmic = (inertia - moved) + (internal - stored);
-  const ContactWork contact = contact_work(ledger, problem, now, at, dq);
+               moved = ledger.kinetic_energy - kinetic_before,
+               algorithmic = (inertia + jump.contact + jump.reaction - moved) + (internal - stored);
+  ContactWork contact = contact_work(ledger, problem, now, at, dq);
+  contact.whole += jump.contact;
+  contact.closing += jump.contact;
   ledger.external += external;
   ledger.damping += damping;
   ledger.contact += contact.whole;
@@ -160,8 +188,8 @@ void add_step(Ledger& ledger, StepProblem& problem, const State& before, const S
   const auto impulse = resultant(problem, mean, push);
   const double dt = now.time - before.time;
   for (int i = 0; i < 3; ++i) {
-    ledger.linear_balance[i] += dt * impulse[i];
-    ledger.angular_balance[i] += dt * impulse[3 + i];
+    ledger.linear_balance[i] += dt * impulse[i] + jump.from_outside[i];
+    ledger.angular_balance[i] += dt * impulse[3 + i] + jump.from_outside[3 + i];
   }
 }
 

@@ -16,6 +16,7 @@
 #include "assembly/vectors.hpp"
 #include "solve/active_set.hpp"
 #include "solve/newton_group.hpp"
+#include "solve/velocity_update.hpp"
 
 namespace mortise {
 namespace {
@@ -265,6 +266,9 @@ StepResult Newton::solve(const State& from, double t) {
                   Teuchos::null};
   result.evaluation = solved.evaluation();
   problem_.finish_step(from, result.state);
+  result.cause = update_velocities(problem_, linear_, from, result.state, result.evaluation);
+  result.converged = result.cause.empty();
+  if (!result.converged) return result;
   // Where forces are those of positions within the step, only now are those at its end looked at.
   if (problem_.stage().scheme.has_inertia() && !problem_.is_admissible_at_end(*result.state.x)) {
     result.converged = false;
