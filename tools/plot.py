@@ -1,6 +1,6 @@
 """Draws the histories of one or several runs beside each other. Run by tools/plot.
 
-  energies  kinetic, strain and total energy, one panel per run
+  energies  kinetic, strain and total energy, and the total less the work of loads where there is any, one panel per run
   total     total energy of all runs in one panel
   momenta   linear and angular momentum, one panel per run
   ledger    magnitudes of what the books of energy and momenta miss, relative to the greatest energy and momenta (of a body
@@ -62,6 +62,8 @@ class Run:
 
 def energies(run):
     series = [Series("kinetic", run["kinetic_energy"]), Series("strain", run["strain_energy"]), Series("total", run["total_energy"])]
+    if plots.largest([run["external_work"]]) > plots.ROUND_OFF * plots.largest([run["total_energy"]]):
+        series.append(Series("total less work of loads", run["total_energy"] - run["external_work"], "--"))
     return Plot(run.label, run["time"], series, "energy")
 
 
@@ -102,9 +104,15 @@ def draw_panels(runs, panel_of, file):
         limits = [axes.get_ylim() for axes in shown]
         for axes in shown:
             axes.set_ylim(min(low for low, _ in limits), max(high for _, high in limits))
-    figure.legend(*grid.flat[0].get_legend_handles_labels(), loc="upper center", ncol=6)
-    figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
+    legend, columns = fullest_legend(grid.flat), min(6, 2 * across)
+    rows = math.ceil(len(legend[1]) / columns)
+    figure.legend(*legend, loc="upper center", ncol=columns)
+    figure.tight_layout(rect=(0, 0, 1, 1 - (0.1 + 0.2 * rows) / figure.get_figheight()))
     save(figure, file)
+
+
+def fullest_legend(panels):
+    return max((axes.get_legend_handles_labels() for axes in panels), key=lambda legend: len(legend[1]))
 
 
 def draw_total(runs, file):
@@ -141,7 +149,7 @@ def draw_paths(runs, columns, file):
             left.set_aspect("equal", adjustable="datalim")
         left.set_title(run.label, fontsize=9, loc="left")
         plots.draw_lines(right, energies(run))
-    figure.legend(*grid[0][1].get_legend_handles_labels(), loc="upper right", ncol=3)
+    figure.legend(*fullest_legend(grid[:, 1]), loc="upper right", ncol=4)
     figure.tight_layout(rect=(0, 0, 1, 1 - 0.3 / figure.get_figheight()))
     save(figure, file)
 
