@@ -34,6 +34,10 @@ class PairMaker {
       pair.quadrature_degree = o.quadrature_degree;
       pair.closing = o.closing;
       pair.activity = o.activity;
+      if (o.friction_coefficient) {
+        pair.friction = Friction{*o.friction_coefficient, o.tangential_penalty, o.slip};
+        pair.n_unknowns = 4;
+      }
       for (const Side& side : secondary->sides) {
         pair.secondary.facets.push_back(facet_nodes(side));
         pair.secondary_elements.push_back(side.element);

@@ -179,6 +179,10 @@ bool Scene::has_inertia() const {
   return std::any_of(stages.begin(), stages.end(), [](const Stage& stage) { return stage.scheme.has_inertia(); });
 }
 
+bool Scene::has_friction() const {
+  return std::any_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return pair.friction.has_value(); });
+}
+
 std::vector<const ContactNodes*> Scene::contacts() const {
   std::vector<const ContactNodes*> all;
   for (const auto& pair : pairs) all.push_back(&pair);

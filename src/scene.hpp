@@ -64,9 +64,22 @@ struct ContactNodes {
   std::vector<int> secondary_nodes;    ///< ascending; node k carries multiplier `first_multiplier + k`
   std::vector<double> tributary_area;  ///< reference area of each of them [m^2]
   int first_multiplier = 0;
+  int n_unknowns = 1;              ///< of each of them: the pressure; 4 with friction: and the tangential traction
   double size = 0;                 ///< edge of the facets round the nodes [m]
   double youngs_modulus = 0;       ///< of the body behind them [Pa]
   double opposite_compliance = 0;  ///< size / Young's modulus of the other side, 0 if that is rigid [m/Pa]
+};
+
+/// Coulomb's friction of a pair.
+struct Friction {
+  double coefficient;
+  std::optional<double> penalty;  ///< of stick [Pa/m]; none: exact stick
+  SlipForm slip;
+  /// Part of the traction at the end of a step in what acts in it, the rest being that at its start (thesis eq. 5.113).
+  double theta_of(const TimeScheme& scheme) const { return penalty && scheme.constraint_theta < 1 ? 0.5 : 1; }
+  bool is_moment_free(const TimeScheme& scheme) const {
+    return slip == SlipForm::moment_free || (slip == SlipForm::automatic && scheme.constraint_theta < 1);
+  }
 };
 
 /// Two surfaces that may meet. The size is the square root of the mean area of the secondary facets.
@@ -74,7 +87,8 @@ struct ContactPair : ContactNodes {
   ContactSurface secondary, primary;
   std::vector<int> secondary_elements;  ///< the element behind each secondary facet
   int quadrature_degree = 0;
-  double primary_size = 0;  ///< as `size`, of the primary side
+  double primary_size = 0;           ///< as `size`, of the primary side
+  std::optional<Friction> friction;  ///< none: nothing tangential exists
 };
 
 /// A rigid thing that nodes may touch, or (two-sided) stay on.
@@ -148,6 +162,8 @@ struct Scene {
 
   /// The point that carries the unknowns of augmented spring `k`: squared stretch and multiplier.
   int spring_point(int k) const { return n_nodes(mesh.mesh) + n_multipliers + n_element_pressures() + k; }
+  bool has_friction() const;
+
   /// Elements or springs have unknowns of their own, so that the tangent is indefinite.
   bool has_internal_unknowns() const { return n_element_pressures() + n_augmented_springs > 0; }
 

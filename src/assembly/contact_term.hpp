@@ -1,6 +1,7 @@
 // What carries contact pressures, as the equations of a step see it: pairs of surfaces, and nodes before obstacles.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "assembly/system_matrix.hpp"
@@ -14,6 +15,18 @@ struct NodalSums {
   explicit NodalSums(const DofSpace& dofs)
       : weighted_gap(dofs.overlap_map()), covered_area(dofs.overlap_map()), whole_area(dofs.overlap_map()) {}
   Vector weighted_gap, covered_area, whole_area;
+  /// Where the forces of friction act: covered area [m^2] and, at the unknowns of the traction, weighted slip of the step [m^3].
+  /// Null: the positions are others.
+  RCP<Vector> slip;
+};
+
+/// Rows of the tractions of friction: factors of the derivatives that make them up, at the indices of the tractions.
+struct FrictionRows {
+  enum { slip = 0, area = 3, traction = 4, normal = 7, pressure = 10, n = 11 };  ///< three each of slip, traction and normal
+  explicit FrictionRows(const RCP<const Map>& map) {
+    for (auto& factor : factors) factor = Teuchos::rcp(new Vector(map));
+  }
+  std::array<RCP<Vector>, n> factors;
 };
 
 /// One term with pressures on this rank.
@@ -44,12 +57,15 @@ class ContactTerm {
   /// @param weight factor on them  @param theta further factor on their columns of positions: dx/dq of the time scheme
   virtual void add_force_tangent(double weight, double theta, SystemMatrix& K) const = 0;
 
+  /// Adds the rows of the tractions, found in the last evaluation that summed slips. @param theta as above
+  virtual void add_friction_tangent(const FrictionRows&, double /*theta*/, SystemMatrix&) const {}
+
   /// Unit normals at all its nodes at positions `x` (overlap), out of the body.
   virtual std::vector<Vec3<double>> normals(const double* x) const = 0;
 
   const ContactNodes& nodes() const { return nodes_; }
 
-  /// Point of the k-th node's pressure.
+  /// Point of the k-th node's pressure, and with friction of its traction.
   int pressure_point(std::size_t k) const { return dofs_.n_nodes() + nodes_.first_multiplier + static_cast<int>(k); }
 
  protected:

@@ -1,13 +1,21 @@
 #include "assembly/dof_space.hpp"
 
+#include <algorithm>
+
 namespace mortise {
 
 DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm) {
   const Mesh& mesh = scene.mesh.mesh;
   n_nodes_ = mortise::n_nodes(mesh);
-  first_spring_ = scene.spring_point(0);
   const int rank = comm->getRank();
   const int n_points = n_nodes_ + scene.n_multipliers + scene.n_element_pressures() + scene.n_augmented_springs;
+  std::vector<int> sizes(n_points, 1);
+  std::fill_n(sizes.begin(), n_nodes_, 3);
+  for (const ContactNodes* contact : scene.contacts())
+    std::fill_n(sizes.begin() + n_nodes_ + contact->first_multiplier, contact->secondary_nodes.size(), contact->n_unknowns);
+  std::fill(sizes.begin() + scene.spring_point(0), sizes.end(), 2);
+  first_.assign(1, 0);
+  for (int size : sizes) first_.push_back(first_.back() + size);
   std::vector<char> needed(n_points, 0), mine(n_points, 0);
   for (int n = 0; n < n_nodes_; ++n) mine[n] = partition.node_rank[n] == rank;
   for (int e = 0; e < n_elements(mesh); ++e)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "assembly/vectors.hpp"
+
 namespace mortise {
 namespace {
 
@@ -125,7 +127,7 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalS
     Facet& facet = facets_[first_facet_[k]];
     if (!with_tangent || dot(load_[k], load_[k]) == 0) continue;
     const int n = 3 * static_cast<int>(nodes.size());
-    if (facet.matrix.empty()) facet.matrix.assign((width(facet) + 8) * width(facet), 0.0);
+    if (facet.matrix.empty()) facet.matrix.assign((width(facet) + n_extra()) * width(facet), 0.0);
     std::vector<double> H(static_cast<std::size_t>(n) * n, 0.0);
     add_normal_curvature(patches_[k], patch_x_[k], load_[k], H);
     std::vector<int> at;
@@ -136,9 +138,33 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalS
   }
 }
 
+void MortarTerm::begin_step(const double* x, const TimeScheme& scheme) {
+  start_ = x;
+  scheme_ = scheme;
+}
+
+PairFriction MortarTerm::friction_of(const Facet& facet, std::size_t candidate, const double* x, const PairInput& input) const {
+  PairFriction friction;
+  const auto& secondary = pair_.secondary.facets[facet.index];
+  const auto& primary = pair_.primary.facets[facet.candidates[candidate]];
+  friction.before = input.x;
+  for (int a = 0; a < 4; ++a) {
+    if (start_) {
+      friction.before[a] = position(start_, secondary[a]);
+      friction.before[4 + a] = position(start_, primary[a]);
+    }
+    const int traction = dofs_.local(pressure_point(facet.corner[a])) + 1;
+    const double* before = start_ ? start_ : x;
+    friction.traction[a] = {x[traction], x[traction + 1], x[traction + 2]};
+    friction.traction_before[a] = {before[traction], before[traction + 1], before[traction + 2]};
+  }
+  friction.theta = start_ ? scheme_.constraint_theta : 1;
+  friction.traction_theta = start_ ? pair_.friction->theta_of(scheme_) : 1;
+  friction.is_moment_free = pair_.friction->is_moment_free(scheme_);
+  return friction;
+}
+
 void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums) {
-  double *weighted_gap = sums.weighted_gap.getDataNonConst().getRawPtr(), *area = sums.covered_area.getDataNonConst().getRawPtr(),
-         *whole_area = sums.whole_area.getDataNonConst().getRawPtr();
   const auto& nodes = pair_.secondary.facets[facet.index];
   PairInput input;
   for (int a = 0; a < 4; ++a) {
@@ -149,13 +175,13 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
-  // Columns and rows of the local system: 4 nodes, 4 normals, 4 pressures, primary nodes; below, 4 rows each of covered and whole
-  // areas.
-  const int n_local = 28 + 3 * facet.n_primary;
+  // Columns and rows of the local system: 4 nodes, 4 normals, the contact unknowns of 4 nodes, primary nodes; below, 4 rows each
+  // of covered and whole areas, and 12 of weighted slips.
+  const int n_local = 24 + n_own() + 3 * facet.n_primary;
   std::vector<double> K;
   facet.matrix.clear();
+  if (!sums.slip.is_null()) facet.slip.clear();
   double covered = 0;
-  PairTangent pair;
   for (std::size_t k = 0; k < facet.candidates.size(); ++k) {
     for (int a = 0; a < 4; ++a) input.x[4 + a] = position(x, pair_.primary.facets[facet.candidates[k]][a]);
     const Vec3<double> other = normal_of(&input.x[4]);
@@ -165,43 +191,28 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       ++counts_.turned_away;
       continue;
     }
-    if (!pair_values(input, rule_, pair)) continue;
-    ++counts_.overlaps;
-    const double* c = pair.covered_area;
-    const double* g = &pair.row[36];
-    if (g[0] + g[1] + g[2] + g[3] > farthest() * (c[0] + c[1] + c[2] + c[3])) continue;  // too far apart to matter
-    if (with_tangent) pair_tangent(input, rule_, pair);
-
-    for (int a = 0; a < 4; ++a) {
-      const int pressure = dofs_.local(pressure_point(facet.corner[a]));
-      weighted_gap[pressure] += pair.row[36 + a];
-      area[pressure] += pair.covered_area[a];
-      covered += pair.covered_area[a];
-      const int secondary = dofs_.local(nodes[a]), primary = dofs_.local(pair_.primary.facets[facet.candidates[k]][a]);
-      for (int i = 0; i < 3; ++i) {
-        f[secondary + i] += pair.row[3 * a + i];
-        f[primary + i] += pair.row[12 + 3 * a + i];
-        load_[facet.corner[a]][i] += pair.row[24 + 3 * a + i];
-      }
+    const auto add = [&](auto pair, const auto&... friction) {
+      if (!pair_values(input, friction..., rule_, pair)) return;
+      ++counts_.overlaps;
+      const double* c = pair.covered_area;
+      const double* g = &pair.row[36];
+      if (g[0] + g[1] + g[2] + g[3] > farthest() * (c[0] + c[1] + c[2] + c[3])) return;  // too far apart to matter
+      if (with_tangent) pair_tangent(input, friction..., rule_, pair);
+      for (int a = 0; a < 4; ++a) covered += c[a];
+      if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + n_extra()) * n_local, 0.0);
+      add_pair(facet, k, pair, with_tangent, f, sums, K);
+    };
+    if (pair_.friction) {
+      add(FrictionalTangent(), friction_of(facet, k, x, input));
+    } else {
+      add(PairTangent());
     }
-    if (!with_tangent) continue;
-    if (K.empty()) K.assign(static_cast<std::size_t>(n_local + 8) * n_local, 0.0);
-    int at[40];
-    for (int c = 0; c < 12; ++c) {
-      at[c] = c;
-      at[12 + c] = 28 + 3 * facet.primary_at[k][c / 3] + c % 3;
-      at[24 + c] = 12 + c;
-    }
-    for (int c = 0; c < 4; ++c) at[36 + c] = 24 + c;
-    for (int r = 0; r < 40; ++r)
-      for (int c = 0; c < 40; ++c) K[static_cast<std::size_t>(at[r]) * n_local + at[c]] += pair.d[r][c];
-    for (int I = 0; I < 4; ++I)
-      for (int c = 0; c < 36; ++c) K[static_cast<std::size_t>(n_local + I) * n_local + at[c]] += pair.d_area[I][c];
   }
   double whole_by_node[4], d_whole[4][36];
   whole_area_tangent(input, whole_by_node, d_whole);
+  double* whole_area = data(sums.whole_area);
   for (int I = 0; I < 4; ++I) whole_area[dofs_.local(pressure_point(facet.corner[I]))] += whole_by_node[I];
-  if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + 8) * n_local, 0.0);
+  if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + n_extra()) * n_local, 0.0);
   if (!K.empty()) {
     for (int I = 0; I < 4; ++I)
       for (int c = 0; c < 12; ++c) {
@@ -209,6 +220,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
         K[static_cast<std::size_t>(n_local + 4 + I) * n_local + 12 + c] = d_whole[I][24 + c];
       }
     chain_normals(facet, K, n_local);
+    if (!sums.slip.is_null()) store_slip(facet);
   }
 
   const double whole = whole_by_node[0] + whole_by_node[1] + whole_by_node[2] + whole_by_node[3],
@@ -219,19 +231,61 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   }
 }
 
+template <class Pair>
+void MortarTerm::add_pair(Facet& facet, std::size_t k, const Pair& pair, bool with_tangent, double* f, NodalSums& sums,
+                          std::vector<double>& K) {
+  constexpr int n = sizeof(pair.row) / sizeof(double);  // 40, and with friction 12 slips
+  double *weighted_gap = data(sums.weighted_gap), *area = data(sums.covered_area);
+  const auto& nodes = pair_.secondary.facets[facet.index];
+  const auto& primary_nodes = pair_.primary.facets[facet.candidates[k]];
+  for (int a = 0; a < 4; ++a) {
+    const int pressure = dofs_.local(pressure_point(facet.corner[a]));
+    weighted_gap[pressure] += pair.row[36 + a];
+    area[pressure] += pair.covered_area[a];
+    const int secondary = dofs_.local(nodes[a]), primary = dofs_.local(primary_nodes[a]);
+    for (int i = 0; i < 3; ++i) {
+      f[secondary + i] += pair.row[3 * a + i];
+      f[primary + i] += pair.row[12 + 3 * a + i];
+      load_[facet.corner[a]][i] += pair.row[24 + 3 * a + i];
+    }
+    if constexpr (n > 40)
+      if (!sums.slip.is_null()) {
+        double* slip = data(*sums.slip) + pressure;
+        slip[0] += pair.covered_area[a];
+        for (int i = 0; i < 3; ++i) slip[1 + i] += pair.row[40 + 3 * a + i];
+      }
+  }
+  if (!with_tangent) return;
+  const int n_local = 24 + n_own() + 3 * facet.n_primary, m = pair_.n_unknowns;
+  int at[n];
+  for (int c = 0; c < 12; ++c) {
+    at[c] = c;
+    at[12 + c] = 24 + n_own() + 3 * facet.primary_at[k][c / 3] + c % 3;
+    at[24 + c] = 12 + c;
+  }
+  for (int I = 0; I < 4; ++I) at[36 + I] = 24 + m * I;
+  for (int c = 40; c < n; ++c) at[c] = 24 + m * ((c - 40) / 3) + 1 + (c - 40) % 3;
+  for (int r = 0; r < n; ++r) {
+    double* row = &K[static_cast<std::size_t>(r < 40 ? at[r] : n_local + 8 + r - 40) * n_local];
+    for (int c = 0; c < n; ++c) row[at[c]] += pair.d[r][c];
+  }
+  for (int I = 0; I < 4; ++I)
+    for (int c = 0; c < 36; ++c) K[static_cast<std::size_t>(n_local + I) * n_local + at[c]] += pair.d_area[I][c];
+}
+
 void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const {
-  const int n_patch = facet.n_patch, width = static_cast<int>(this->width(facet));
+  const int n_patch = facet.n_patch, width = static_cast<int>(this->width(facet)), end_own = 24 + n_own();
   const auto column = [&](int z) {  // of every local column that is not a normal
     if (z < 12) return z;
-    if (z < 28) return 3 * (n_patch + facet.n_primary) + z - 24;
-    return 3 * n_patch + z - 28;
+    if (z < end_own) return static_cast<int>(n_positions(facet)) + z - 24;
+    return 3 * n_patch + z - end_own;
   };
   std::array<std::vector<int>, 4> patch_at;
   for (int I = 0; I < 4; ++I)
     for (int node : patches_[facet.corner[I]].nodes) patch_at[I].push_back(position_of(facet.points, 0, node));
 
-  std::vector<double> half(static_cast<std::size_t>(n_local + 8) * width, 0.0);
-  for (int r = 0; r < n_local + 8; ++r) {
+  std::vector<double> half(static_cast<std::size_t>(n_local + n_extra()) * width, 0.0);
+  for (int r = 0; r < n_local + n_extra(); ++r) {
     const double* from = &K[static_cast<std::size_t>(r) * n_local];
     double* to = &half[static_cast<std::size_t>(r) * width];
     for (int z = 0; z < n_local; ++z)
@@ -244,7 +298,7 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
           for (int j = 0; j < 3; ++j) to[3 * patch_at[I][b] + j] += factor * gradient[b][j];
       }
   }
-  facet.matrix.assign(static_cast<std::size_t>(width + 8) * width, 0.0);
+  facet.matrix.assign(static_cast<std::size_t>(width + n_extra()) * width, 0.0);
   const auto add_row = [&](int to_row, double factor, int from_row) {
     double* to = &facet.matrix[static_cast<std::size_t>(to_row) * width];
     const double* from = &half[static_cast<std::size_t>(from_row) * width];
@@ -252,13 +306,57 @@ void MortarTerm::chain_normals(Facet& facet, const std::vector<double>& K, int n
   };
   for (int z = 0; z < n_local; ++z)
     if (z < 12 || z >= 24) add_row(column(z), 1.0, z);
-  for (int I = 0; I < 8; ++I) add_row(width + I, 1.0, n_local + I);
+  for (int I = 0; I < n_extra(); ++I) add_row(width + I, 1.0, n_local + I);
   for (int I = 0; I < 4; ++I)
     for (int i = 0; i < 3; ++i) {
       const auto& gradient = normal_gradient_[facet.corner[I]][i];
       for (std::size_t b = 0; b < gradient.size(); ++b)
         for (int j = 0; j < 3; ++j) add_row(3 * patch_at[I][b] + j, gradient[b][j], 12 + 3 * I + i);
     }
+}
+
+void MortarTerm::store_slip(Facet& facet) const {
+  const std::size_t n = width(facet);
+  facet.slip.assign(28 * n, 0.0);
+  std::copy_n(&facet.matrix[(n + 8) * n], 12 * n, &facet.slip[0]);
+  std::copy_n(&facet.matrix[n * n], 4 * n, &facet.slip[12 * n]);
+  for (int I = 0; I < 4; ++I)
+    for (std::size_t b = 0; b < patches_[facet.corner[I]].nodes.size(); ++b) {
+      const int at = 3 * position_of(facet.points, 0, patches_[facet.corner[I]].nodes[b]);
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) facet.slip[(16 + 3 * I + i) * n + at + j] = normal_gradient_[facet.corner[I]][i][b][j];
+    }
+}
+
+void MortarTerm::add_friction_tangent(const FrictionRows& rows, double theta, SystemMatrix& K) const {
+  std::vector<double> shares;
+  for (std::size_t k = 0; k < facets_.size(); ++k) {
+    const Facet& facet = facets_[k];
+    if (facet.slip.empty()) continue;
+    const std::size_t n = width(facet), n_positions = this->n_positions(facet);
+    shares.assign(n * n, 0.0);
+    for (int I = 0; I < 4; ++I) {
+      const double part = 1.0 / static_cast<double>(patches_[facet.corner[I]].corners.size());  // of what facets share
+      const int pressure = dofs_.local(pressure_point(facet.corner[I]));
+      const std::size_t own = n_positions + pair_.n_unknowns * I;
+      for (int i = 0; i < 3; ++i) {
+        const auto factor = [&](int which) { return data(static_cast<const Vector&>(*rows.factors[which]))[pressure + 1 + i]; };
+        double* row = &shares[(own + 1 + i) * n];
+        const auto add = [&](double by, std::size_t from_row) {
+          const double* from = &facet.slip[from_row * n];
+          for (std::size_t c = 0; c < n; ++c) row[c] += by * (c < n_positions ? theta : 1) * from[c];
+        };
+        for (int j = 0; j < 3; ++j) {
+          add(factor(FrictionRows::slip + j), 3 * I + j);
+          add(part * factor(FrictionRows::normal + j), 16 + 3 * I + j);
+          row[own + 1 + j] += part * factor(FrictionRows::traction + j);
+        }
+        add(factor(FrictionRows::area), 12 + I);
+        row[own] += part * factor(FrictionRows::pressure);
+      }
+    }
+    K.add(first_cell_ + k, shares.data());
+  }
 }
 
 void MortarTerm::add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const {
@@ -269,10 +367,10 @@ void MortarTerm::add_tangent(const double* a, const double* b, const double* c, 
     const std::size_t n = width(facet);
     scaled.assign(facet.matrix.begin(), facet.matrix.begin() + n * n);
     if (force_weight != 1)
-      for (std::size_t j = 0; j < (n - 4) * n; ++j) scaled[j] *= force_weight;
+      for (std::size_t j = 0; j < n_positions(facet) * n; ++j) scaled[j] *= force_weight;
     for (int I = 0; I < 4; ++I) {
       const int pressure = dofs_.local(pressure_point(facet.corner[I]));
-      double* row = &scaled[(n - 4 + I) * n];
+      double* row = &scaled[(n_positions(facet) + pair_.n_unknowns * I) * n];
       const double *covered = &facet.matrix[(n + I) * n], *whole = &facet.matrix[(n + 4 + I) * n];
       for (std::size_t j = 0; j < n; ++j) row[j] = a[pressure] * row[j] + b[pressure] * covered[j] + c[pressure] * whole[j];
     }
@@ -285,7 +383,7 @@ void MortarTerm::add_force_tangent(double weight, double theta, SystemMatrix& K)
   for (std::size_t k = 0; k < facets_.size(); ++k) {
     const Facet& facet = facets_[k];
     if (facet.matrix.empty()) continue;
-    const std::size_t n = width(facet), n_positions = n - 4;
+    const std::size_t n = width(facet), n_positions = this->n_positions(facet);
     scaled.assign(n * n, 0.0);
     for (std::size_t r = 0; r < n_positions; ++r)
       for (std::size_t j = 0; j < n; ++j) scaled[r * n + j] = weight * (j < n_positions ? theta : 1.0) * facet.matrix[r * n + j];

@@ -1,4 +1,4 @@
-// A frictionless mortar contact pair as a term of the scene: search, integration, shares of force and gap, and their derivative.
+// A mortar contact pair as a term of the scene: search, integration, shares of force, gap and slip, and their derivative.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class MortarTerm : public ContactTerm {
   /// @return whether a list changed
   bool search(const double* x, double reach, double inward) override;
 
-  void begin_step(const double*, const TimeScheme&) override {}
+  void begin_step(const double* x, const TimeScheme& scheme) override;
 
   /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
   void append_cells(std::vector<Cell>& cells) override;
@@ -36,6 +36,7 @@ class MortarTerm : public ContactTerm {
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) override;
   void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const override;
   void add_force_tangent(double weight, double theta, SystemMatrix& K) const override;
+  void add_friction_tangent(const FrictionRows& rows, double theta, SystemMatrix& K) const override;
 
   const ContactPair& pair() const { return pair_; }
   const ContactCounts& counts() const { return counts_; }
@@ -56,7 +57,10 @@ class MortarTerm : public ContactTerm {
     std::vector<int> points;      // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
-    std::vector<double> matrix;  // last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas
+    // Last tangent over the unknowns of `points`, then 4 rows each of the covered and whole areas, and 12 of weighted slips.
+    std::vector<double> matrix;
+    // Where friction acts, over the same columns: 12 rows of weighted slips, 4 of covered areas, 12 of nodal normals.
+    std::vector<double> slip;
   };
   /// Overlaps with a greater mean gap do not count as covering: neither what lies beyond a step of the surface, nor how far the
   /// search happens to look, may enter the mean gap of a node [m].
@@ -64,7 +68,15 @@ class MortarTerm : public ContactTerm {
   void list_points(Facet& facet);
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
   void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;
-  std::size_t width(const Facet& facet) const { return 3 * static_cast<std::size_t>(facet.n_patch + facet.n_primary) + 4; }
+  template <class Pair>
+  void add_pair(Facet& facet, std::size_t candidate, const Pair& pair, bool with_tangent, double* f, NodalSums& sums,
+                std::vector<double>& K);
+  void store_slip(Facet& facet) const;
+  PairFriction friction_of(const Facet& facet, std::size_t candidate, const double* x, const PairInput& input) const;
+  int n_own() const { return 4 * pair_.n_unknowns; }  ///< unknowns of contact at the four nodes
+  int n_extra() const { return pair_.friction ? 20 : 8; }
+  std::size_t n_positions(const Facet& facet) const { return 3 * static_cast<std::size_t>(facet.n_patch + facet.n_primary); }
+  std::size_t width(const Facet& facet) const { return n_positions(facet) + n_own(); }
 
   const ContactPair& pair_;
   const std::vector<TrianglePoint>& rule_;
@@ -76,6 +88,8 @@ class MortarTerm : public ContactTerm {
   std::vector<Vec3<double>> normal_, load_;
   std::vector<std::array<std::vector<Vec3<double>>, 3>> normal_gradient_;  // row i: d n_i / d x of each patch node
   std::vector<std::vector<Vec3<double>>> patch_x_;
+  const double* start_ = nullptr;  // positions and tractions at the start of the step, overlap; null between steps
+  TimeScheme scheme_;
   ContactCounts counts_;
   double closure_ = 0;
   int n_covered_ = 0;

@@ -22,28 +22,26 @@ std::array<Vec3<double>, 8> relative(const PairInput& input, const AuxiliaryPlan
   return x;
 }
 
-}  // namespace
-
-bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule, PairOutput& out) {
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
-  const auto integrals = planar_integrals(plane.y, rule);
+/// D and M by value. @return false if the facets do not overlap
+template <class Output>
+bool integrals_of(const AuxiliaryPlane& plane, const std::vector<TrianglePoint>& rule, Output& out,
+                  MortarIntegrals<double>& integrals) {
+  integrals = planar_integrals(plane.y, rule);
   double area = 0;
   for (int I = 0; I < 4; ++I) {
     out.covered_area[I] = integrals.D[I][0] + integrals.D[I][1] + integrals.D[I][2] + integrals.D[I][3];
     area += out.covered_area[I];
   }
-  if (!(area > 0)) return false;
-  const auto shares = pair_shares(relative(input, plane), input.normal, input.pressure, integrals);
-  const double* rows[40];
-  store_rows(shares, rows);
-  for (int r = 0; r < 40; ++r) out.row[r] = *rows[r];
-  return true;
+  return area > 0;
 }
 
-bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out) {
+/// D and M by AD over 16 in-plane coordinates, pulled back to the first 36 of n directions, and the derivative of the areas.
+template <int n, class Output>
+bool integrals_of(const AuxiliaryPlane& plane, const std::vector<TrianglePoint>& rule, Output& out,
+                  MortarIntegrals<Sacado::Fad::SFad<double, n>>& integrals) {
   // 18, not 16: GCC unrolls loops of 16 and less completely before it vectorises, which is slower.
   using Planar = Sacado::Fad::SFad<double, 18>;
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  using Fad = Sacado::Fad::SFad<double, n>;
   Planar y[16];
   for (int k = 0; k < 16; ++k) y[k] = Planar(18, k, plane.y[k]);
   const auto planar = planar_integrals(y, rule);
@@ -54,15 +52,12 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
     area += out.covered_area[I];
   }
   if (!(area > 0)) return false;
-
-  using Fad = Sacado::Fad::SFad<double, 40>;
   const auto pull = [&plane](const Planar& from) {
     Fad to(from.val());
     plane.pull_back(from.dx(), &to.fastAccessDx(0));
-    for (int k = 36; k < 40; ++k) to.fastAccessDx(k) = 0;
+    for (int k = 36; k < n; ++k) to.fastAccessDx(k) = 0;
     return to;
   };
-  MortarIntegrals<Fad> integrals;
   for (int I = 0; I < 4; ++I) {
     for (int J = 0; J < 4; ++J) {
       integrals.D[I][J] = J < I ? integrals.D[J][I] : pull(planar.D[I][J]);
@@ -74,20 +69,113 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
       const auto& D = integrals.D[I];
       out.d_area[I][c] = D[0].fastAccessDx(c) + D[1].fastAccessDx(c) + D[2].fastAccessDx(c) + D[3].fastAccessDx(c);
     }
+  return true;
+}
+
+/// The unknowns of a pair as variables of n directions.
+template <class T>
+struct PairVariables {
+  std::array<Vec3<T>, 8> x;
+  std::array<Vec3<T>, 4> n;
+  std::array<T, 4> p;
+};
+
+template <int n>
+PairVariables<Sacado::Fad::SFad<double, n>> seeded(const PairInput& input, const AuxiliaryPlane& plane) {
+  using Fad = Sacado::Fad::SFad<double, n>;
+  PairVariables<Fad> v;
   const auto x = relative(input, plane);
-  std::array<Vec3<Fad>, 8> x_ad;
-  std::array<Vec3<Fad>, 4> n_ad;
-  std::array<Fad, 4> p_ad;
-  for (int k = 0; k < 24; ++k) x_ad[k / 3][k % 3] = Fad(40, k, x[k / 3][k % 3]);
-  for (int k = 0; k < 12; ++k) n_ad[k / 3][k % 3] = Fad(40, 24 + k, input.normal[k / 3][k % 3]);
-  for (int I = 0; I < 4; ++I) p_ad[I] = Fad(40, 36 + I, input.pressure[I]);
-  const auto shares = pair_shares(x_ad, n_ad, p_ad, integrals);
+  for (int k = 0; k < 24; ++k) v.x[k / 3][k % 3] = Fad(n, k, x[k / 3][k % 3]);
+  for (int k = 0; k < 12; ++k) v.n[k / 3][k % 3] = Fad(n, 24 + k, input.normal[k / 3][k % 3]);
+  for (int I = 0; I < 4; ++I) v.p[I] = Fad(n, 36 + I, input.pressure[I]);
+  return v;
+}
+
+template <int n, class Fad, class Tangent>
+void store_derivatives(const Fad* const rows[n], Tangent& out) {
+  for (int r = 0; r < n; ++r) {
+    out.row[r] = rows[r]->val();
+    for (int c = 0; c < n; ++c) out.d[r][c] = rows[r]->fastAccessDx(c);
+  }
+}
+
+/// The pair's shares with friction, given its variables and the tractions at the end of the step.
+template <class T>
+std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairFriction& friction,
+                                                       const AuxiliaryPlane& plane, const PairVariables<T>& v,
+                                                       const std::array<Vec3<T>, 4>& traction,
+                                                       const MortarIntegrals<T>& integrals) {
+  std::array<Vec3<T>, 8> dx;
+  const Vec3<double>& centre = plane.centre;
+  for (int a = 0; a < 8; ++a)
+    for (int i = 0; i < 3; ++i) dx[a][i] = (v.x[a][i] - (friction.before[a][i] - centre[i])) / friction.theta;
+  std::array<Vec3<T>, 4> acting;
+  for (int I = 0; I < 4; ++I)
+    for (int i = 0; i < 3; ++i)
+      acting[I][i] = (1 - friction.traction_theta) * friction.traction_before[I][i] + friction.traction_theta * traction[I][i];
+  auto shares = pair_shares(v.x, v.n, v.p, integrals);
+  auto of_friction = friction_shares(v.x, dx, v.n, acting, integrals, friction.is_moment_free);
+  for (int a = 0; a < 8; ++a) shares.force[a] = shares.force[a] + of_friction.force[a];
+  return {shares, of_friction};
+}
+
+template <class T>
+void store_rows(const std::pair<PairShares<T>, FrictionShares<T>>& all, const T* rows[52]) {
+  store_rows(all.first, rows);
+  for (int k = 0; k < 12; ++k) rows[40 + k] = &all.second.slip[k / 3][k % 3];
+}
+
+}  // namespace
+
+bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule, PairOutput& out) {
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  MortarIntegrals<double> integrals;
+  if (!integrals_of(plane, rule, out, integrals)) return false;
+  const auto shares = pair_shares(relative(input, plane), input.normal, input.pressure, integrals);
+  const double* rows[40];
+  store_rows(shares, rows);
+  for (int r = 0; r < 40; ++r) out.row[r] = *rows[r];
+  return true;
+}
+
+bool pair_values(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
+                 FrictionalOutput& out) {
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  MortarIntegrals<double> integrals;
+  if (!integrals_of(plane, rule, out, integrals)) return false;
+  const PairVariables<double> v{relative(input, plane), input.normal, input.pressure};
+  const auto shares = all_shares(friction, plane, v, friction.traction, integrals);
+  const double* rows[52];
+  store_rows(shares, rows);
+  for (int r = 0; r < 52; ++r) out.row[r] = *rows[r];
+  return true;
+}
+
+bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out) {
+  using Fad = Sacado::Fad::SFad<double, 40>;
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  MortarIntegrals<Fad> integrals;
+  if (!integrals_of<40>(plane, rule, out, integrals)) return false;
+  const auto v = seeded<40>(input, plane);
+  const auto shares = pair_shares(v.x, v.n, v.p, integrals);
   const Fad* rows[40];
   store_rows(shares, rows);
-  for (int r = 0; r < 40; ++r) {
-    out.row[r] = rows[r]->val();
-    for (int c = 0; c < 40; ++c) out.d[r][c] = rows[r]->fastAccessDx(c);
-  }
+  store_derivatives<40>(rows, out);
+  return true;
+}
+
+bool pair_tangent(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
+                  FrictionalTangent& out) {
+  using Fad = Sacado::Fad::SFad<double, 52>;
+  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  MortarIntegrals<Fad> integrals;
+  if (!integrals_of<52>(plane, rule, out, integrals)) return false;
+  std::array<Vec3<Fad>, 4> traction;
+  for (int k = 0; k < 12; ++k) traction[k / 3][k % 3] = Fad(52, 40 + k, friction.traction[k / 3][k % 3]);
+  const auto shares = all_shares(friction, plane, seeded<52>(input, plane), traction, integrals);
+  const Fad* rows[52];
+  store_rows(shares, rows);
+  store_derivatives<52>(rows, out);
   return true;
 }
 

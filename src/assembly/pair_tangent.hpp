@@ -3,9 +3,20 @@
 
 #include "contact/mortar/auxiliary_plane.hpp"
 #include "contact/mortar/nodal_normal.hpp"
+#include "contact/mortar/pair_friction.hpp"
 #include "contact/mortar/pair_residual.hpp"
 
 namespace mortise {
+
+/// What friction needs beside: motion in a step whose middle, end or other point the positions are.
+struct PairFriction {
+  std::array<Vec3<double>, 8> before;           ///< positions at the start of the step [m]
+  double theta;                                 ///< positions of the pair = (1 - theta) before + theta after
+  std::array<Vec3<double>, 4> traction_before;  ///< at the start of the step [Pa]
+  double traction_theta;                        ///< what acts is (1 - traction_theta) before + traction_theta after
+  std::array<Vec3<double>, 4> traction;         ///< at the end of the step [Pa]
+  bool is_moment_free;
+};
 
 /// Everything a pair depends on.
 struct PairInput {
@@ -36,6 +47,23 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
 /// Whole projected area of a secondary facet, by node [m^2], and its derivative (columns as in `PairTangent`, without pressures);
 /// the primary nodes of the input have no part in it.
 void whole_area_tangent(const PairInput& input, double whole_area[4], double d[4][36]);
+
+/// Shares of a pair with friction: those of `PairOutput`, its forces with those of friction, then 12 weighted slips.
+struct FrictionalOutput {
+  double row[52];
+  double covered_area[4];
+};
+
+/// Rows and their derivatives; columns: 24 positions, 12 normal components, 4 pressures, 12 tractions at the end of the step.
+struct FrictionalTangent : FrictionalOutput {
+  double d[52][52];
+  double d_area[4][36];
+};
+
+bool pair_values(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
+                 FrictionalOutput& out);
+bool pair_tangent(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
+                  FrictionalTangent& out);
 
 /// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch
 /// nodes, added to `H`.

@@ -242,15 +242,16 @@ double StepProblem::contact_weight_at_end() const {
 
 // Adds the forces of contacts [first, end) that do not act at the end of the step, with pressures from there.
 void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end,
-                                      Vector& contact) {
+                                      Vector& contact, const RCP<Vector>& slips) {
   for (const auto& pass : contact_passes()) {
     if (pass.theta == 1 || pass.weight == 0) continue;
     const auto x = positions_at(pass.theta, overlap_x);
     Vector force(dofs_.overlap_map());
-    NodalSums unused(dofs_);
+    NodalSums sums(dofs_);
+    sums.slip = slips;
     for (std::size_t k = first; k < end; ++k) {
       if (!acts(*contacts_[k])) continue;
-      contacts_[k]->integrate(data(*x), with_tangent, data(force), unused);
+      contacts_[k]->integrate(data(*x), with_tangent, data(force), sums);
       if (with_tangent) contacts_[k]->add_force_tangent(pass.weight, pass.theta, *matrix_);
     }
     contact.update(pass.weight, force, 1.0);

@@ -1,4 +1,5 @@
 // The motion side of a step's equations: what follows from its unknowns, energies and momenta, and how motion starts.
+#include <algorithm>
 #include <cmath>
 
 #include "assembly/step_problem.hpp"
@@ -136,7 +137,8 @@ State StepProblem::enter_stage(std::size_t next, const State& left) {
     const ContactNodes& nodes = contact->nodes();
     if (nodes.activity.acts_after(state.time)) continue;
     for (std::size_t k = 0; k < nodes.secondary_nodes.size(); ++k)
-      if (const int point = contact->pressure_point(k); dofs_.owned(point)) data(*state.x)[dofs_.local(point)] = 0;
+      if (const int point = contact->pressure_point(k); dofs_.owned(point))
+        std::fill_n(data(*state.x) + dofs_.local(point), nodes.n_unknowns, 0.0);
   }
   return state;
 }

@@ -52,7 +52,8 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
     for (const auto& masses : scene.masses) inertias_.emplace_back(masses, dofs_);
   }
   for (int point : dofs_.overlap_points())
-    if (dofs_.size(point) == 1) overlap_pressures_.push_back(dofs_.local(point));
+    if (!dofs_.is_node(point) && point < scene.spring_point(0))
+      for (int i = 0; i < dofs_.size(point); ++i) overlap_pressures_.push_back(dofs_.local(point) + i);
   scheme_ = stage().scheme.at_rest();
   acting_time_ = just_after(0);
   kinematics_ = scheme_.kinematics(0);
@@ -254,10 +255,12 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   if (!admissible) return out;
   out.admissible = true;
   const double weight_at_end = contact_weight_at_end();
+  const RCP<Vector> slips = scene_.has_friction() ? Teuchos::rcp(new Vector(dofs_.overlap_map())) : Teuchos::null;
   {
     const Stopwatch watch(counts_.seconds_contact);
-    add_contact_between(overlap_x, with_tangent, 0, contacts_.size(), contact);
+    add_contact_between(overlap_x, with_tangent, 0, contacts_.size(), contact, slips);
     Vector at_end(dofs_.overlap_map());
+    if (contact_theta() == 1) sums.slip = slips;
     for (auto& term : contacts_)
       if (acts(*term)) term->integrate(data(*overlap_x), with_tangent, data(at_end), sums);
     contact.update(weight_at_end, at_end, 1.0);
@@ -286,6 +289,8 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       for (int m = 0; m < 2; ++m) identity_rows_[spring.unknowns() + m] = 1;
   LawRows rows(dofs_.owned_map());
   if (!contacts_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
+  std::optional<FrictionRows> friction_rows;
+  if (!slips.is_null()) friction_law(x, overlap_x, *owned_sum(*slips), out, friction_rows.emplace(dofs_.owned_map()));
 
   std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale, 0};
   {
@@ -321,6 +326,11 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
       const auto a = to_overlap(rows.gap), b = to_overlap(rows.covered), c = to_overlap(rows.whole);
       for (auto& term : contacts_)
         if (acts(*term)) term->add_tangent(data(*a), data(*b), data(*c), weight_at_end, *matrix_);
+      if (friction_rows) {
+        for (auto& factor : friction_rows->factors) factor = to_overlap(*factor);
+        for (auto& term : contacts_)
+          if (acts(*term)) term->add_friction_tangent(*friction_rows, contact_theta(), *matrix_);
+      }
     }
     const Stopwatch watch(counts_.seconds_assembly);
     if (!out.compliance.is_null()) {
@@ -361,7 +371,8 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   double* to = data(mixed);
   const double* from = data(pressures);
   for (int point : dofs_.overlap_points())
-    if (dofs_.owned(point) && dofs_.size(point) == 1) to[dofs_.local(point)] = from[dofs_.local(point)];
+    if (dofs_.owned(point) && !dofs_.is_node(point) && point < scene_.spring_point(0))
+      for (int i = dofs_.local(point); i < dofs_.local(point) + dofs_.size(point); ++i) to[i] = from[i];
   return contact_force_of(to_overlap(mixed), 0, contacts_.size());
 }
 

@@ -14,6 +14,7 @@
 #include "assembly/obstacle_term.hpp"
 #include "assembly/spring_term.hpp"
 #include "assembly/stretch_term.hpp"
+#include "contact/laws/coulomb.hpp"
 
 namespace mortise {
 
@@ -62,10 +63,14 @@ struct Evaluation {
   /// Greatest part of its volume by which a mixed element misses what its pressure asks for, or |Phi| of an augmented spring
   /// beyond round-off [-].
   double constraint_residual = 0;
-  double support_residual = 0;       ///< greatest distance of a supported component from where it should be [m]
-  std::vector<char> closed;          ///< per multiplier of the scene: the branch its law took
-  std::vector<char> covered;         ///< per multiplier, on the rank that owns it: something lies opposite the node
-  std::optional<VelocityJump> jump;  ///< after the step's solution, see `update_velocities`
+  double support_residual = 0;           ///< greatest distance of a supported component from where it should be [m]
+  std::vector<char> closed;              ///< per multiplier of the scene: the branch its law took
+  std::vector<char> covered;             ///< per multiplier, on the rank that owns it: something lies opposite the node
+  std::optional<VelocityJump> jump;      ///< after the step's solution, see `update_velocities`
+  std::vector<FrictionStatus> friction;  ///< per multiplier; empty without friction
+  int n_stick = 0, n_slip = 0;
+  double friction_work = 0;  ///< of the tractions on the slips of the step [J]
+  double stick_energy = 0;   ///< in penalised stick at the end of the step [J]
   int n_closed = 0;
   int n_partly_covered = 0;       ///< closed nodes that are not fully covered, where the law yields
   int first_partly_covered = -1;  ///< the first of them, -1: none
@@ -219,7 +224,9 @@ class StepProblem {
     double theta, weight;
   };
   std::vector<ContactPass> contact_passes() const;
-  void add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end, Vector& contact);
+  double contact_theta() const;
+  void add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end, Vector& contact,
+                           const RCP<Vector>& slips = Teuchos::null);
   double contact_weight_at_end() const;
   RCP<Vector> contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end);
   double round_off_of_forces() const;
@@ -231,6 +238,7 @@ class StepProblem {
     Vector gap, covered, whole;
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
+  void friction_law(const Vector& x, const RCP<Vector>& overlap_x, const Vector& slips, Evaluation& out, FrictionRows& rows);
   void find_normal_stiffness();
   double complementarity_constant(const ContactNodes& nodes, std::size_t k, double covered_area) const;
   bool acts(const ContactTerm& contact) const { return contact.nodes().activity.acts_at(acting_time_) || dt_ == 0; }

@@ -48,7 +48,7 @@ SystemMatrix::SystemMatrix(const DofSpace& dofs, const std::vector<Cell>& cells)
   std::vector<int> index(dofs.n_points(), -1);  // point -> position in the overlap
   for (std::size_t k = 0; k < points.size(); ++k) index[points[k]] = static_cast<int>(k);
 
-  const auto coupled = [&](int a, int b) { return a == b || dofs.size(points[a]) == 3 || dofs.size(points[b]) == 3; };
+  const auto coupled = [&](int a, int b) { return a == b || dofs.is_node(points[a]) || dofs.is_node(points[b]); };
   std::vector<std::vector<int>> neighbours(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) neighbours[k].push_back(static_cast<int>(k));
   for (const auto& cell : cells)

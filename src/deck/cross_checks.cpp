@@ -185,6 +185,9 @@ class CrossChecks {
     check_contact_names("obstacles", options_.obstacles, taken);
     check_contact_names("rods", options_.rods, taken);
     for (const auto& [name, pair] : options_.contact) {
+      if (pair.friction_coefficient && options_.solver.linear == LinearSolverKind::iterative)
+        report("D19", {"solver", "linear"},
+               "cannot be \"iterative\" with friction (contact > " + in_quotes(name) + "): take \"direct\"");
       check_set(pair.secondary, {"contact", name, "secondary"});
       check_set(pair.primary, {"contact", name, "primary"});
       if (!pair.primary.empty() && pair.primary == pair.secondary) {

@@ -26,7 +26,8 @@ enum class Field {
   green_lagrange_strain,
   almansi_strain,
   volume_ratio,
-  energy_density
+  energy_density,
+  tangential_traction
 };
 
 /// Where a field has values of its own.
@@ -53,7 +54,7 @@ struct FieldEntry {
   const char* help;  ///< what it is; empty where the name says so
 };
 
-inline constexpr std::array<FieldEntry, 19> field_table{{
+inline constexpr std::array<FieldEntry, 20> field_table{{
     {Field::displacement, "displacement", "displacement", FieldShape::vector, FieldPlace::node, FieldNeed::nothing, "length", ""},
     {Field::von_mises, "von mises", "von_mises", FieldShape::scalar, FieldPlace::point, FieldNeed::nothing, "force/length^2",
      "of the Cauchy stress"},
@@ -64,7 +65,9 @@ inline constexpr std::array<FieldEntry, 19> field_table{{
     {Field::gap, "gap", "gap", FieldShape::scalar, FieldPlace::secondary_node, FieldNeed::contact, "length",
      "mean over the node's part of the overlap, negative: penetration"},
     {Field::status, "status", "status", FieldShape::scalar, FieldPlace::secondary_node, FieldNeed::contact, "-",
-     "1 closed, 0 open"},
+     "2 closed and sticking, 1 closed, 0 open"},
+    {Field::tangential_traction, "tangential traction", "tangential_traction", FieldShape::vector, FieldPlace::secondary_node,
+     FieldNeed::contact, "force/length^2", "of friction on the secondary surface"},
     {Field::reaction, "reaction", "reaction", FieldShape::vector, FieldPlace::node, FieldNeed::supports, "force",
      "of supports on the body, in the components that they hold"},
     {Field::position, "position", "position", FieldShape::vector, FieldPlace::node, FieldNeed::nothing, "length", "current"},

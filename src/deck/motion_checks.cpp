@@ -101,7 +101,14 @@ class MotionChecks {
     if (has_pairs && scheme.has_discrete_contact)
       report("D19", stage.at("scheme"),
              "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
-    for (const auto& [name, contact] : options_.contact) check_closing({"contact", name}, contact.closing, stage);
+    for (const auto& [name, contact] : options_.contact) {
+      check_closing({"contact", name}, contact.closing, stage);
+      if (contact.friction_coefficient && stage.has("contact", name) &&
+          (scheme.forces == ForceReading::mean || scheme.constraint_theta == 0))
+        report("D19", {"contact", name, "friction coefficient"},
+               "cannot stand with " + stage.with_scheme() +
+                   ", whose contact forces do not act at one time in the step after its start");
+    }
     for (const auto& [name, obstacle] : options_.obstacles) check_closing({"obstacles", name}, obstacle.closing, stage);
     if (scheme.is_explicit_in_position &&
         (has_contact || has_any("supports", options_.supports) || !plane_strain_supports(options_).empty()))

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-constexpr std::string_view first_line = "mortise checkpoint, format 4\n";
+constexpr std::string_view first_line = "mortise checkpoint, format 5\n";
 constexpr std::string_view any_first_line = "mortise checkpoint, format ";
 constexpr std::string_view file_stem = "checkpoint.";
 
@@ -97,6 +97,8 @@ void members(const Visit& visit, C& c) {
   visit("mismatch", c.ledger.mismatch);
   visit("strain energy", c.ledger.strain_energy);
   visit("kinetic energy", c.ledger.kinetic_energy);
+  visit("stick energy", c.ledger.stick_energy);
+  visit("friction dissipation", c.ledger.friction);
   visit.list("linear momentum", c.ledger.linear_momentum);
   visit.list("angular momentum", c.ledger.angular_momentum);
   visit.list("linear balance", c.ledger.linear_balance);

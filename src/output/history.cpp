@@ -98,8 +98,8 @@ void History::observe(StepProblem& problem, const State& before, const State& no
                           static_cast<double>(record.newton_iterations),
                           static_cast<double>(record.cuts),
                           static_cast<double>(at.n_closed),
-                          0.0,
-                          0.0};
+                          static_cast<double>(at.n_stick),
+                          static_cast<double>(at.n_slip)};
   for (std::size_t k = 0; k < problem.contacts().size(); ++k) {
     const auto force = problem.force_on_secondary(*now.x, k);
     row.insert(row.end(), {force[0], force[1], force[2]});
@@ -112,10 +112,10 @@ void History::observe(StepProblem& problem, const State& before, const State& no
       if (p.support == static_cast<int>(s)) sum[p.axis] += reactions[p.axis][p.node];
     row.insert(row.end(), sum.begin(), sum.end());
   }
-  // Friction and stick have no terms yet: their shares are zero because nothing of them exists.
   const Ledger& l = ledger_;
-  row.insert(row.end(), {l.kinetic_energy, l.strain_energy, 0.0, l.kinetic_energy + l.strain_energy, l.external, l.contact,
-                         l.closing, l.resegmentation, 0.0, l.damping, l.algorithmic, l.residual, l.mismatch});
+  row.insert(row.end(),
+             {l.kinetic_energy, l.strain_energy, l.stick_energy, l.kinetic_energy + l.strain_energy + l.stick_energy, l.external,
+              l.contact, l.closing, l.resegmentation, l.friction, l.damping, l.algorithmic, l.residual, l.mismatch});
   row.insert(row.end(), l.linear_momentum.begin(), l.linear_momentum.end());
   row.insert(row.end(), l.angular_momentum.begin(), l.angular_momentum.end());
   std::vector<std::string> quantities;

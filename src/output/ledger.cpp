@@ -1,5 +1,6 @@
 #include "output/ledger.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "assembly/vectors.hpp"
@@ -77,18 +78,20 @@ struct ContactWork {
 
 ContactWork contact_work(const Ledger& ledger, StepProblem& problem, const State& now, const Evaluation& at, const Vector& dq) {
   ContactWork work;
-  work.whole = -at.contact->dot(dq);
+  work.whole = -at.contact->dot(dq) - at.friction_work;
   const Scene& scene = problem.scene();
   if (scene.n_multipliers == 0) return work;
   const auto gap = problem.gather(*at.gap), area = problem.gather(*at.area), x = problem.gather(*now.x);
-  const std::size_t first = 3 * static_cast<std::size_t>(problem.dofs().n_nodes());
   Vector newly(*now.x, Teuchos::Copy);
   double* p = data(newly);
   for (int k = 0; k < scene.n_multipliers; ++k) {
-    work.weighted_gap.push_back(gap[first + k] * area[first + k]);
-    if (!ledger.closed[k]) continue;
-    work.both_ends += x[first + k] * (work.weighted_gap[k] - ledger.weighted_gap[k]);
     const int point = problem.dofs().n_nodes() + k;
+    const GlobalIndex at = problem.dofs().global(point);
+    work.weighted_gap.push_back(gap[at] * area[at]);
+    if (problem.dofs().owned(point))
+      std::fill_n(p + problem.dofs().local(point) + 1, problem.dofs().size(point) - 1, 0.0);  // no traction
+    if (!ledger.closed[k]) continue;
+    work.both_ends += x[at] * (work.weighted_gap[k] - ledger.weighted_gap[k]);
     if (problem.dofs().owned(point)) p[problem.dofs().local(point)] = 0;
   }
   work.closing = -problem.contact_force(*now.x, newly)->dot(dq);
@@ -174,7 +177,10 @@ void add_step(Ledger& ledger, StepProblem& problem, const State& before, const S
   ledger.resegmentation += contact.whole - contact.closing - contact.both_ends;
   ledger.algorithmic += algorithmic;
   ledger.residual += residual;
-  ledger.mismatch = moved + stored + algorithmic - contact.whole + damping - external - residual;
+  const double stick = at.stick_energy - ledger.stick_energy;  // what it loses when the area of a node changes counts as friction
+  ledger.stick_energy = at.stick_energy;
+  ledger.friction += -at.friction_work - stick;
+  ledger.mismatch = moved + stored + algorithmic - contact.whole - at.friction_work + damping - external - residual;
   ledger.weighted_gap = contact.weighted_gap;
   ledger.closed = at.closed;
 

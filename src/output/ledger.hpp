@@ -11,9 +11,9 @@ namespace mortise {
 /// Sums of works and impulses since the start, and what the next step's are counted from.
 struct Ledger {
   double external = 0, contact = 0, closing = 0, resegmentation = 0, algorithmic = 0, residual = 0;  ///< [J]
-  double damping = 0;                                                                                ///< dissipated [J]
+  double damping = 0, friction = 0;                                                                  ///< dissipated [J]
   double mismatch = 0;                                                                               ///< of the last step [J]
-  double strain_energy = 0, kinetic_energy = 0;                                                      ///< [J]
+  double strain_energy = 0, kinetic_energy = 0, stick_energy = 0;                                    ///< [J]
   std::vector<char> closed;                               ///< per multiplier of the scene
   std::vector<double> weighted_gap;                       ///< likewise [m^3]
   std::vector<double> linear_momentum, angular_momentum;  ///< of the state [kg m/s], [kg m^2/s]; about the origin

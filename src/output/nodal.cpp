@@ -19,15 +19,31 @@ std::vector<double> at_secondary_nodes(const StepProblem& problem, const std::ve
   std::vector<double> values(n, 0.0);
   for (const ContactNodes* contact : problem.scene().contacts())
     for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
-      values[contact->secondary_nodes[k]] = unknowns[3 * static_cast<std::size_t>(n) + contact->first_multiplier + k];
+      values[contact->secondary_nodes[k]] = unknowns[problem.dofs().global(n + contact->first_multiplier + static_cast<int>(k))];
   return values;
+}
+
+NodalField tractions(const StepProblem& problem, const std::vector<double>& unknowns) {
+  const int n = problem.dofs().n_nodes();
+  NodalField field(3, std::vector<double>(n, 0.0));
+  for (const ContactPair& pair : problem.scene().pairs) {
+    if (!pair.friction) continue;
+    for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
+      const GlobalIndex at = problem.dofs().global(n + pair.first_multiplier + static_cast<int>(k));
+      for (int i = 0; i < 3; ++i) field[i][pair.secondary_nodes[k]] = unknowns[at + 1 + i];
+    }
+  }
+  return field;
 }
 
 std::vector<double> contact_status(const StepProblem& problem, const Evaluation& at) {
   std::vector<double> values(problem.dofs().n_nodes(), 0.0);
   for (const ContactNodes* contact : problem.scene().contacts())
-    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
-      values[contact->secondary_nodes[k]] = at.closed[contact->first_multiplier + k];
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k) {
+      const std::size_t multiplier = contact->first_multiplier + k;
+      const bool sticks = !at.friction.empty() && at.friction[multiplier] == FrictionStatus::stick;
+      values[contact->secondary_nodes[k]] = at.closed[multiplier] + (sticks ? 1 : 0);
+    }
   return values;
 }
 
@@ -69,6 +85,8 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
     case Field::gap:
       if (problem.scene().n_multipliers == 0) return {std::vector<double>(n, 0.0)};
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
+    case Field::tangential_traction:
+      return tractions(problem, problem.gather(*state.x));
     case Field::status:
       return {contact_status(problem, at)};
     default: {  // of motion: all rests in a static stage; a run of statics alone, which the deck reader refuses, has none

@@ -62,6 +62,7 @@ FieldValues values_at_point(Field field, const PointState& at) {
     case Field::contact_pressure:
     case Field::gap:
     case Field::status:
+    case Field::tangential_traction:
       break;
   }
   throw std::logic_error("not a field of quadrature points");

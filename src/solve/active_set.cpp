@@ -12,10 +12,11 @@ namespace {
 constexpr int most_influences = 24;
 constexpr int most_factorisations = 8;
 
-// A covered pressure row owned by this rank.
+// A covered pressure row owned by this rank, and how many rows of a traction follow it.
 struct LawRow {
   int local;
   int multiplier;
+  int n_tractions;
 };
 
 /// The linearised step with one matrix: a set of closed nodes, and the influence of single nodes on all others.
@@ -27,7 +28,7 @@ class LinearisedStep {
     for (const auto& contact : problem.contacts())
       for (std::size_t k = 0; k < contact->nodes().secondary_nodes.size(); ++k) {
         const int point = contact->pressure_point(k), multiplier = point - dofs.n_nodes();
-        if (dofs.owned(point) && at.covered[multiplier]) rows_.push_back({dofs.local(point), multiplier});
+        if (dofs.owned(point) && at.covered[multiplier]) rows_.push_back({dofs.local(point), multiplier, dofs.size(point) - 1});
       }
   }
 
@@ -40,10 +41,12 @@ class LinearisedStep {
     const auto local = A->getLocalMatrixHost();
     for (const LawRow& row : rows_) {
       if (closed_[row.multiplier]) continue;
-      identity_rows[row.local] = 1;
-      const int diagonal = A->getColMap()->getLocalElement(A->getRowMap()->getGlobalElement(row.local));
-      for (auto e = local.graph.row_map(row.local); e < local.graph.row_map(row.local + 1); ++e)
-        local.values(e) = local.graph.entries(e) == diagonal ? 1.0 : 0.0;
+      for (int k = row.local; k <= row.local + n_identities(row); ++k) {
+        identity_rows[k] = 1;
+        const int diagonal = A->getColMap()->getLocalElement(A->getRowMap()->getGlobalElement(k));
+        for (auto e = local.graph.row_map(k); e < local.graph.row_map(k + 1); ++e)
+          local.values(e) = local.graph.entries(e) == diagonal ? 1.0 : 0.0;
+      }
     }
     return linear_.factor(A, identity_rows, problem_.graph_number());
   }
@@ -58,6 +61,7 @@ class LinearisedStep {
       for (const LawRow& row : rows_) {
         const double p = pressure[row.local];
         right[row.local] = closed_[row.multiplier] ? -(gap[row.local] + compliance[row.local] * p) : -p;
+        for (int k = row.local + 1; k <= row.local + n_identities(row) && !closed_[row.multiplier]; ++k) right[k] = -pressure[k];
       }
     }
     return linear_.solve(b, direction);
@@ -90,6 +94,11 @@ class LinearisedStep {
   }
 
  private:
+  // A node that sticks and opens loses its traction; one that slips does so by its own law.
+  int n_identities(const LawRow& row) const {
+    return row.n_tractions > 0 && at_.friction[row.multiplier] == FrictionStatus::stick ? row.n_tractions : 0;
+  }
+
   const StepProblem& problem_;
   const Evaluation& at_;
   const Matrix& tangent_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace mortise {
@@ -13,7 +14,8 @@ std::vector<int> groups(const Scene& scene, const DofSpace& dofs) {
   for (std::size_t k = 0; k < 3 * static_cast<std::size_t>(dofs.n_nodes()); ++k) group[k] = static_cast<int>(k / 3);
   for (const ContactNodes* contact : scene.contacts())
     for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
-      group[3 * static_cast<std::size_t>(dofs.n_nodes()) + contact->first_multiplier + k] = contact->secondary_nodes[k];
+      std::fill_n(&group[dofs.global(dofs.n_nodes() + contact->first_multiplier + static_cast<int>(k))], contact->n_unknowns,
+                  contact->secondary_nodes[k]);
   for (int e = 0; e + 1 < static_cast<int>(scene.first_pressure.size()); ++e)
     for (int m = 0; m < scene.first_pressure[e + 1] - scene.first_pressure[e]; ++m)
       group[dofs.global(scene.pressure_point(e, m))] = element_nodes(scene.mesh.mesh, e)[0];
@@ -28,8 +30,9 @@ constexpr long long largest_direct = 150000;
 
 std::variant<DirectSolver, IterativeSolver> choose(const Scene& scene, const DofSpace& dofs, const SolverOptions& options) {
   const long long n = dofs.n_unknowns();
-  const bool iterative = options.linear == LinearSolverKind::iterative ||
-                         (options.linear == LinearSolverKind::automatic && n > largest_direct && !scene.has_internal_unknowns());
+  const bool iterative =
+      options.linear == LinearSolverKind::iterative || (options.linear == LinearSolverKind::automatic && n > largest_direct &&
+                                                        !scene.has_internal_unknowns() && !scene.has_friction());
   if (iterative) return IterativeSolver(dofs.owned_map(), 3LL * dofs.n_nodes(), options);
   return DirectSolver(dofs.owned_map(), groups(scene, dofs));
 }

@@ -102,7 +102,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     last_residual_ = e.force_residual;
     far_off_ = e.force_residual > 0.3 * e.force_scale && iteration > 1 && !falls ? far_off_ + 1 : 0;
     if (far_off_ >= 5) return fail("Newton diverges: the residual has stayed as large as the forces for five iterations");
-    detect_cycle(e, settled);
+    detect_cycle(settled);
     if (iteration >= options_.largest_iterations)
       return fail(cycles_ > 0 ? "the active set cycles" : fmt::format("Newton stopped after {} iterations", iteration));
     return status_;
@@ -138,26 +138,30 @@ class StepStatus : public NOX::StatusTest::Generic {
   bool compare_sets(const Evaluation& e, const Vector& x) {
     opened_ = closed_ = 0;
     result_.unsettled.clear();
+    set_ = e.closed;
+    for (std::size_t k = 0; k < e.friction.size(); ++k)
+      if (e.friction[k] == FrictionStatus::stick) set_[k] += 2;
     if (previous_.empty()) {
-      previous_ = e.closed;
+      previous_ = set_;
       return true;
     }
     std::vector<int> changed;
-    for (std::size_t k = 0; k < e.closed.size(); ++k)
-      if (e.closed[k] != previous_[k]) {
+    for (std::size_t k = 0; k < set_.size(); ++k)
+      if (set_[k] != previous_[k]) {
         changed.push_back(static_cast<int>(k));
-        ++(e.closed[k] ? closed_ : opened_);
+        const bool was_closed = previous_[k] != 0;
+        if (was_closed != static_cast<bool>(e.closed[k])) ++(e.closed[k] ? closed_ : opened_);
       }
     bool settled = true;
     if (!changed.empty()) {
       const auto& map = *x.getMap();
       const auto pressure = x.getData(), gap = e.gap->getData();
-      const long long first = 3LL * shared_->problem.dofs().n_nodes();
+      const DofSpace& dofs = shared_->problem.dofs();
       const double no_gap = 1e-12 * shared_->problem.scene().size,
                    no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor());
       std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
       for (std::size_t k = 0; k < changed.size(); ++k) {
-        const int local = map.getLocalElement(first + changed[k]);
+        const int local = map.getLocalElement(dofs.global(dofs.n_nodes() + changed[k]));
         if (local != Teuchos::OrdinalTraits<int>::invalid() &&
             (std::abs(gap[local]) > no_gap || std::abs(pressure[local]) > no_pressure))
           matters[k] = 1;
@@ -167,26 +171,25 @@ class StepStatus : public NOX::StatusTest::Generic {
         if (all[k]) result_.unsettled.push_back(changed[k]);
       settled = result_.unsettled.empty();
     }
-    previous_ = e.closed;
+    previous_ = set_;
     return settled;
   }
 
   double greatest_pressure(const Vector& x) const {
     const auto values = x.getData();
-    const long long first = 3LL * shared_->problem.dofs().n_nodes();
-    const long long end = first + shared_->problem.scene().n_multipliers;
+    const DofSpace& dofs = shared_->problem.dofs();
     double greatest = 0, all = 0;
-    for (int k = 0; k < static_cast<int>(values.size()); ++k)
-      if (const long long k_global = x.getMap()->getGlobalElement(k); k_global >= first && k_global < end)
-        greatest = std::max(greatest, std::abs(values[k]));
+    for (int k = 0; k < shared_->problem.scene().n_multipliers; ++k)
+      if (const int point = dofs.n_nodes() + k; dofs.owned(point))
+        greatest = std::max(greatest, std::abs(values[dofs.local(point)]));
     Teuchos::reduceAll(*x.getMap()->getComm(), Teuchos::REDUCE_MAX, 1, &greatest, &all);
     return all;
   }
 
   // A set that was left twice and is met again: the next step is halved, so that the iterates leave the loop.
-  void detect_cycle(const Evaluation& e, bool settled) {
+  void detect_cycle(bool settled) {
     if (settled) return;
-    if (++met_[e.closed] < 3) return;
+    if (++met_[set_] < 3) return;
     ++cycles_;
     shared_->halve_next = true;
     met_.clear();
@@ -197,7 +200,7 @@ class StepStatus : public NOX::StatusTest::Generic {
   const State& start_;
   StepResult& result_;
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
-  std::vector<char> previous_;
+  std::vector<char> set_, previous_;      // per multiplier: 0 open, 1 closed, 3 closed and sticking
   std::map<std::vector<char>, int> met_;  // how often each set was arrived at
   int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0, far_off_ = 0;
   double last_residual_ = 0;

@@ -46,8 +46,12 @@ std::vector<double> state(const StepProblem& problem, double factor) {
     if (h < std::numeric_limits<double>::max()) x[k] += factor * h * (0.08 * std::sin(phase) + noise);  // a node of some body
   }
   for (const ContactNodes* contact : scene.contacts())
-    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
-      x[n_positions + contact->first_multiplier + k] = contact->youngs_modulus * random.in(0.05, 0.15);
+    for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k) {
+      const int point = problem.dofs().n_nodes() + contact->first_multiplier + static_cast<int>(k);
+      double* at = &x[problem.dofs().global(point)];
+      *at = contact->youngs_modulus * random.in(0.05, 0.15);
+      for (int i = 1; i < contact->n_unknowns; ++i) at[i] = contact->youngs_modulus * random.in(-0.05, 0.05);
+    }
   if (!scene.first_pressure.empty())
     for (const auto& body : scene.bodies)
       for (int e : body.elements)
