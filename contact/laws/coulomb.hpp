@@ -24,8 +24,17 @@ Vec3<T> turned_with(const Vec3<double>& n_old, const Vec3<T>& n, const Vec3<doub
   return {T(t[0] - factor * (n_old[0] + n[0])), T(t[1] - factor * (n_old[1] + n[1])), T(t[2] - factor * (n_old[2] + n[2]))};
 }
 
-/// The traction t returned to the bound in the direction of a trial: slip, t = mu p trial/|trial|. Without pressure the derivative
-/// knows already which way the traction would go, so that a node that closes does so with its friction.
+/// Whether a trial traction sticks. A node that slipped in the step before begins the next one at the bound, to round-off: it
+/// goes on slipping, lest the first Newton iteration holds it by chance.
+template <class T>
+bool is_below(const Vec3<T>& trial, const T& bound) {
+  constexpr double at_the_bound = 1e-8;
+  const double limit = (1 - at_the_bound) * value(bound);
+  return limit > 0 && value(dot(trial, trial)) <= limit * limit;
+}
+
+/// The traction t returned to the bound in the direction of a trial: slip, t = mu p trial/|trial|. Without pressure the
+/// derivative knows already which way the traction would go, so that a node that closes does so with its friction.
 template <class T>
 Vec3<T> slipping(const FrictionState<T>& at, const T& bound, const Vec3<T>& trial) {
   if (!(value(dot(trial, trial)) > 0)) return at.traction;
@@ -40,7 +49,7 @@ template <class T>
 Vec3<T> exact_stick(const FrictionState<T>& at, const T& bound, double c, FrictionStatus& status) {
   const T along = dot(at.normal, at.traction);
   const Vec3<T> trial = at.traction - along * at.normal - T(c) * at.slip;
-  const bool sticks = value(bound) > 0 && value(dot(trial, trial)) <= value(bound) * value(bound);
+  const bool sticks = is_below(trial, bound);
   status = sticks ? FrictionStatus::stick : FrictionStatus::slip;
   return sticks ? at.slip + T(along / c) * at.normal : slipping(at, bound, trial);
 }
@@ -53,7 +62,7 @@ template <class T>
 Vec3<T> penalised_stick(const FrictionState<T>& at, const T& bound, const Vec3<double>& before, const Vec3<double>& normal_before,
                         double penalty, FrictionStatus& status) {
   const Vec3<T> trial = turned_with(normal_before, at.normal, before) - T(penalty) * at.slip;
-  const bool sticks = value(bound) > 0 && value(dot(trial, trial)) <= value(bound) * value(bound);
+  const bool sticks = is_below(trial, bound);
   status = sticks ? FrictionStatus::stick : FrictionStatus::slip;
   return sticks ? at.traction - trial : slipping(at, bound, trial);
 }

@@ -63,9 +63,10 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
       const auto state = seeded(slip, traction, normals[k], unknowns[at]);
       FrictionStatus status = FrictionStatus::none;
       const Fad bound = pair.friction->coefficient * state.pressure;
-      const Vec3<Fad> law = pair.friction->penalty ? penalised_stick(state, bound, traction_before, normals_before[k],
-                                                                     *pair.friction->penalty, status)
-                                                   : exact_stick(state, bound, complementarity_constant(pair, k, area), status);
+      const Vec3<Fad> law =
+          pair.friction->penalty
+              ? penalised_stick(state, bound, traction_before, normals_before[k], *pair.friction->penalty, status)
+              : exact_stick(state, bound, complementarity_constant(pair, k, pair.tributary_area[k]), status);
       if (out.closed[multiplier]) out.friction[multiplier] = status;
       const bool is_length = status == FrictionStatus::stick && !pair.friction->penalty;
       for (int i = 0; i < 3; ++i) {

@@ -81,6 +81,12 @@ std::string forces_and_motions(const Scene& scene) {
   return text;
 }
 
+std::string in_words(const std::optional<Friction>& friction) {
+  if (!friction) return "frictionless";
+  return fmt::format("Coulomb's friction {:g}, {}", friction->coefficient,
+                     friction->penalty ? fmt::format("stick penalised by {:g}", *friction->penalty) : "exact stick");
+}
+
 }  // namespace
 
 RunFolder RunFolder::begin(const fs::path& folder, bool overwrite) {
@@ -157,14 +163,15 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
   for (std::size_t k = 0; k < problem.inertias().size(); ++k)
     text += fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n", massive[k].first,
                         problem.mass_and_centre(problem.inertias()[k], *problem.reference_state()).first, massive[k].second);
-  text += fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: off\n", on_off(!scene.pairs.empty()),
-                      on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0));
+  text +=
+      fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: {}\n", on_off(!scene.pairs.empty()),
+                  on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0), on_off(scene.has_friction()));
   text += forces_and_motions(scene);
   for (const auto& pair : scene.pairs)
     text += fmt::format(
-        "  contact pair \"{}\": mortar, frictionless, {} secondary and {} primary facets, quadrature of degree {}; the law "
+        "  contact pair \"{}\": mortar, {}, {} secondary and {} primary facets, quadrature of degree {}; the law "
         "yields at partly covered nodes\n",
-        pair.name, pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
+        pair.name, in_words(pair.friction), pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
   return text;
 }
 

@@ -2,6 +2,7 @@
 
 #include <Teuchos_CommHelpers.hpp>
 #include <algorithm>
+#include <set>
 
 #include "solve/complementarity_problem.hpp"
 
@@ -178,6 +179,7 @@ DirectionReport find_direction(const StepProblem& problem, const Vector& x, cons
                                LinearSolver& linear, Vector& direction) {
   DirectionReport report;
   LinearisedStep step(problem, x, at, tangent, linear);
+  std::set<std::vector<char>> met{at.closed};
   for (;;) {
     static_cast<LinearReport&>(report) = step.factor();
     ++report.factorisations;
@@ -197,6 +199,7 @@ DirectionReport find_direction(const StepProblem& problem, const Vector& x, cons
       return report;
     auto closed = step.closed();
     for (int k : wrong) closed[k] = !closed[k];
+    if (!met.insert(closed).second) return report;  // with friction there may be no right set: the state moves on
     step.set_closed(closed);
   }
 }

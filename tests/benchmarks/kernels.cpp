@@ -149,28 +149,46 @@ const std::vector<PairInput>& pairs() {
 }
 
 /// Time per pair over 2000 overlapping pairs. Argument: degree of the quadrature.
-template <class Output, auto evaluate>
-void pair(benchmark::State& state) {
+template <class Evaluate>
+void over_pairs(benchmark::State& state, const Evaluate& evaluate) {
   const auto& rule = triangle_rule(static_cast<int>(state.range(0)));
   const auto& all = pairs();
-  Output out;
   std::size_t next = 0;
   for (auto _ : state) {
-    benchmark::DoNotOptimize(evaluate(all[next], rule, out));
+    benchmark::DoNotOptimize(evaluate(all[next], rule));
     benchmark::ClobberMemory();
     next = (next + 1) % all.size();
   }
 }
 
-BENCHMARK(pair<PairOutput, pair_values>)->Name("pair_values")->Arg(5)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
-BENCHMARK(pair<PairTangent, pair_tangent>)
-    ->Name("pair_tangent")
-    ->Arg(4)
-    ->Arg(5)
-    ->Arg(6)
-    ->Arg(8)
-    ->MinTime(0.3)
-    ->Unit(benchmark::kMicrosecond);
+PairFriction sliding(const PairInput& input) {
+  PairFriction friction{input.x, 0.5, {}, 1, {}, true};
+  for (auto& x : friction.before) x = x + Vec3<double>{0.01, 0.02, 0.005};
+  for (auto& t : friction.traction) t = {0.3, -0.2, 0.1};
+  return friction;
+}
+
+void values_of_pair(benchmark::State& state) {
+  PairOutput out;
+  over_pairs(state, [&](const PairInput& input, const auto& rule) { return pair_values(input, rule, out); });
+}
+void tangent_of_pair(benchmark::State& state) {
+  PairTangent out;
+  over_pairs(state, [&](const PairInput& input, const auto& rule) { return pair_tangent(input, rule, out); });
+}
+void values_of_frictional_pair(benchmark::State& state) {
+  FrictionalOutput out;
+  over_pairs(state, [&](const PairInput& input, const auto& rule) { return pair_values(input, sliding(input), rule, out); });
+}
+void tangent_of_frictional_pair(benchmark::State& state) {
+  FrictionalTangent out;
+  over_pairs(state, [&](const PairInput& input, const auto& rule) { return pair_tangent(input, sliding(input), rule, out); });
+}
+
+BENCHMARK(values_of_pair)->Name("pair_values")->Arg(5)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(tangent_of_pair)->Name("pair_tangent")->Arg(4)->Arg(5)->Arg(6)->Arg(8)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(values_of_frictional_pair)->Name("frictional_pair_values")->Arg(5)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
+BENCHMARK(tangent_of_frictional_pair)->Name("frictional_pair_tangent")->Arg(5)->MinTime(0.3)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
 }  // namespace mortise::test

@@ -99,5 +99,34 @@ TEST(Ironing, DeeperFinishes) {
   expect_sound(read_history(folder / "out" / "history.csv"), summary_of(folder / "out"));
 }
 
+class FrictionalIroning : public testing::TestWithParam<const char*> {};
+
+TEST_P(FrictionalIroning, MeetsItsExpectedForcesAndSlidesAtTheBound) {
+  const ScratchFolder folder;
+  const auto run = run_mortise(folder, "run " + deck(GetParam()) + " --quiet -o out");
+  ASSERT_EQ(run.code, 0) << run.out << run.err;
+  const auto table = read_history(folder / "out" / "history.csv");
+  const auto summary = summary_of(folder / "out");
+  EXPECT_LE(summary["cuts"], 2);
+  const auto time = table["time"], x = table["contact_force_x.indenter on slab"], z = table[force],
+             lost = table["friction_dissipation"];
+  double least = 1, most = 0;
+  for (std::size_t k = 1; k < time.size(); ++k) {
+    if (time[k] < 5) continue;
+    least = std::min(least, std::abs(x[k] / z[k]));
+    most = std::max(most, std::abs(x[k] / z[k]));
+    EXPECT_GE(lost[k] - lost[k - 1], 0) << time[k];
+    EXPECT_GT(table["slip"][k], 0);
+  }
+  EXPECT_GE(least, 0.485);
+  EXPECT_LE(most, 0.503);
+  const double ledger = greatest_of(table["ledger_mismatch"]) / greatest_of(table["total_energy"]);
+  EXPECT_LE(ledger, 1e-11);
+  std::cout << summary["steps"] << " steps, " << summary["newton_iterations"] << " Newton iterations, mean force "
+            << mean_from(table, force, 5) << ", |Fx/Fz| from " << least << " to " << most << ", ledger " << ledger << '\n';
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, FrictionalIroning, testing::Values("frictional", "frictional_split", "frictional_penalty"));
+
 }  // namespace
 }  // namespace mortise::test

@@ -63,6 +63,33 @@ TEST(Contact, WithOneSurfaceOnBothSidesIsRefused) {
       << message;
 }
 
+std::string with_friction_of(const std::string& parameters, const std::string& solver = "") {
+  return R"(<ParameterList name="contact"><ParameterList name="pair">
+  <Parameter name="secondary" type="string" value="cube/top"/>
+  <Parameter name="primary" type="string" value="cube/bottom"/>
+  )" + parameters +
+         R"(
+  </ParameterList></ParameterList>)" +
+         solver;
+}
+
+TEST(Contact, WithFrictionThatCannotBeIsRefused) {
+  const std::string coefficient = R"(<Parameter name="friction coefficient" type="double" value="0.3"/>)";
+  std::string message =
+      error_of_lists(with_friction_of(R"(<Parameter name="friction coefficient" type="double" value="-0.3"/>)"));
+  EXPECT_NE(message.find("error[D08] contact > pair > \"friction coefficient\" = -0.3 - must be >= 0"), std::string::npos)
+      << message;
+  message = error_of_lists(with_friction_of(R"(<Parameter name="tangential penalty" type="double" value="1e3"/>)"));
+  EXPECT_NE(message.find("error[D13] contact > pair > \"tangential penalty\""), std::string::npos) << message;
+  EXPECT_NE(message.find("only with \"friction coefficient\""), std::string::npos) << message;
+  message = error_of_lists(with_friction_of(coefficient, R"(<ParameterList name="solver">
+  <Parameter name="linear" type="string" value="iterative"/></ParameterList>)"));
+  EXPECT_NE(message.find("error[D19] solver > \"linear\""), std::string::npos) << message;
+  message = errors_of(with(with_lists(with_friction_of(coefficient)), "name=\"time\">",
+                           "name=\"time\"><Parameter name=\"scheme\" type=\"string\" value=\"trapezoidal\"/>"));
+  EXPECT_NE(message.find("error[D19] contact > pair > \"friction coefficient\""), std::string::npos) << message;
+}
+
 TEST(Contact, WithAMisspeltMethodOrALowQuadratureDegreeIsRefusedWithTheReason) {
   const std::string message = error_of_lists(R"(<ParameterList name="contact"><ParameterList name="pair">
   <Parameter name="secondary" type="string" value="cube/top"/>

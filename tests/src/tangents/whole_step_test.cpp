@@ -41,6 +41,10 @@ std::string everything(const std::string& scheme, const std::string& closing = "
                        deck_parameter("centre", "Array(double)", "{2.6, 1.3, 2.5}") + number("radius", "0.45"));
   const std::string rod = list(
       "rod", word("mesh", "rope") + deck_parameter("node", "int", "4") + deck_parameter("anchor", "Array(double)", "{-2, 1, 3}"));
+  const std::string motion =
+      scheme == "static"
+          ? ""
+          : list("initial conditions", list("upper", deck_parameter("velocity", "Array(double)", "{0.1, 0.2, -0.3}")));
   std::string deck = overhang_deck;
   deck = with(deck, "  <ParameterList name=\"meshes\">", "  <ParameterList name=\"meshes\">\n" + rope_mesh);
   deck = with(deck, "name=\"poissons ratio\" type=\"double\" value=\"0.3\"/>",
@@ -51,11 +55,9 @@ std::string everything(const std::string& scheme, const std::string& closing = "
               upper);
   deck = with(deck, "value=\"lower/top\"/>", "value=\"lower/top\"/>\n" + word("closing", closing));
   deck = without_list(deck, "time");
-  return with_lists(
-      deck, list("springs", springs + between) + list("strings", rope) + list("loads", loads) + list("obstacles", ball) +
-                list("rods", rod) +
-                list("initial conditions", list("upper", deck_parameter("velocity", "Array(double)", "{0.1, 0.2, -0.3}"))) +
-                list("time", word("scheme", scheme) + number("step", "0.3") + number("end", "0.6")));
+  return with_lists(deck, list("springs", springs + between) + list("strings", rope) + list("loads", loads) +
+                              list("obstacles", ball) + list("rods", rod) + motion +
+                              list("time", word("scheme", scheme) + number("step", "0.3") + number("end", "0.6")));
 }
 
 StepTangent checked(const std::string& deck) {
@@ -87,6 +89,21 @@ TEST_P(WholeStepOfClosing, HasTheTangentOfItsResidual) {
 
 INSTANTIATE_TEST_SUITE_P(Closings, WholeStepOfClosing, testing::Values("modified", "persistent", "velocity update"),
                          [](const auto& info) { return in_one_word(info.param); });
+
+std::string with_friction(const std::string& deck, const std::string& parameters) {
+  const std::string pair = "value=\"lower/top\"/>";
+  return with(deck, pair, pair + "\n" + number("friction coefficient", "0.3") + parameters);
+}
+
+TEST(WholeStepOfFriction, HasTheTangentOfItsResidual) {
+  for (const char* scheme :
+       {"static", "backward euler", "midpoint", "generalised alpha", "hht", "energy momentum midpoint contact"})
+    for (const char* slip : {"thesis", "moment free"})
+      for (const std::string& stick : {std::string(), number("tangential penalty", "0.5"), number("tangential penalty", "20")}) {
+        const StepTangent step = checked(with_friction(everything(scheme), word("slip", slip) + stick));
+        EXPECT_LE(step.difference, 1e-8) << scheme << ", " << slip << stick;
+      }
+}
 
 TEST(WholeStepOfFormulations, HasTheTangentOfItsResidual) {
   for (const char* formulation : {"f-bar", "enhanced strain", "mixed"})

@@ -1,0 +1,167 @@
+// Coulomb's friction of mortar pairs: what holds in statics, what is kept and lost in dynamics, on any number of ranks.
+#include <gtest/gtest.h>
+
+#include <iostream>
+
+#include "support/moving_bars.hpp"
+
+namespace mortise::test {
+namespace {
+
+/// A block of 2 x 2 x 1 elements on a slab whose mesh does not match; the block's top is pressed down and then drawn along x.
+struct DrawnBlock {
+  std::string mu = "0.4", friction, drawn = "0.3*max(t-1,0)", stops;
+  std::string end = "2", step = "0.25", scheme = "static";
+
+  operator std::string() const {
+    const std::string slab = word("recipe", "block") + deck_parameter("size", "Array(double)", "{4, 3, 1}") +
+                             deck_parameter("elements", "Array(int)", "{5, 4, 1}"),
+                      block = word("recipe", "block") + deck_parameter("size", "Array(double)", "{1, 1, 1}") +
+                              deck_parameter("elements", "Array(int)", "{3, 3, 1}") +
+                              deck_parameter("origin", "Array(double)", "{0.9, 0.8, 1}");
+    const auto rubber = [](const std::string& E) {
+      return word("model", "neo-hookean") + number("youngs modulus", E) + number("poissons ratio", "0.3");
+    };
+    const auto held = [](const std::string& set, const std::string& x, const std::string& z) {
+      return word("set", set) + word("x", x) + word("y", "0") + word("z", z);
+    };
+    return list("drawn block", list("meshes", list("slab", slab) + list("block", block)) +
+                                   list("materials", list("soft", rubber("10")) + list("stiff", rubber("100"))) +
+                                   list("bodies", list("slab", word("mesh", "slab") + word("material", "soft")) +
+                                                      list("block", word("mesh", "block") + word("material", "stiff"))) +
+                                   list("supports", list("ground", held("slab/bottom", "0", "0")) +
+                                                        list("hand", held("block/top", drawn, "-0.1*min(t,1)"))) +
+                                   list("contact", list("pair", word("secondary", "block/bottom") + word("primary", "slab/top") +
+                                                                    number("friction coefficient", mu) + friction)) +
+                                   list("time", word("scheme", scheme) + number("step", step) + number("end", end) + stops));
+  }
+};
+
+class FrictionInStatics : public testing::TestWithParam<std::string> {};
+
+// The forces in x and z are those of a surface that tilts under the block: within 2 % of mu.
+TEST_P(FrictionInStatics, SticksThenSlidesAtTheBound) {
+  DrawnBlock deck;
+  deck.friction = GetParam();
+  const MarchedScene run{deck};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  const auto fx = run["contact_force_x.pair"], fz = run["contact_force_z.pair"], slip = run["slip"], active = run["active"];
+  EXPECT_GT(fz.back(), 0.5);
+  EXPECT_EQ(slip.back(), active.back());  // all of them slide
+  EXPECT_NEAR(fx.back() / fz.back(), -0.4, 0.02 * 0.4);
+  const auto x = run.unknowns();
+  for (std::size_t at = run.scene.n_positions(); at < x.size(); at += 4)  // pressure, traction
+    EXPECT_NEAR(std::hypot(x[at + 1], x[at + 2], x[at + 3]), 0.4 * std::max(x[at], 0.0), 1e-8);
+  for (std::size_t k = 1; k < fx.size(); ++k) {
+    EXPECT_LE(std::abs(fx[k]), 0.4 * fz[k] * (1 + 1e-9));
+    EXPECT_EQ(slip[k] + run["stick"][k], active[k]);
+  }
+  const auto lost = run["friction_dissipation"];
+  for (std::size_t k = 1; k < lost.size(); ++k) EXPECT_GE(lost[k] - lost[k - 1], -1e-12);
+  EXPECT_GT(lost.back(), 0.02);
+  EXPECT_LE(run.relative_mismatch(), 1e-11);
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, FrictionInStatics,
+                         testing::Values("", word("slip", "moment free"), number("tangential penalty", "1e3"),
+                                         number("tangential penalty", "1e3") + word("slip", "moment free")));
+
+TEST(Friction, HoldsWhatIsDrawnLessThanTheBound) {
+  DrawnBlock deck;
+  deck.mu = "5";
+  deck.drawn = "0.02*max(t-1,0)";
+  const MarchedScene run{deck};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  EXPECT_EQ(run["slip"].back(), 0);
+  EXPECT_GT(std::abs(run["contact_force_x.pair"].back()), 0.1);
+  EXPECT_LE(std::abs(run["friction_dissipation"].back()), 1e-12);
+  EXPECT_EQ(run["stick_energy"].back(), 0);
+}
+
+TEST(Friction, OfZeroIsNoFriction) {
+  DrawnBlock without;
+  without.mu = "0";
+  const MarchedScene zero{without};
+  const MarchedScene none{with(std::string(without), number("friction coefficient", "0"), "")};
+  ASSERT_EQ(zero.summary.code, ExitCode::done) << zero.summary.cause;
+  EXPECT_NEAR(zero["contact_force_z.pair"].back(), none["contact_force_z.pair"].back(), 1e-9);
+  const auto x = zero.unknowns(), y = none.unknowns();
+  for (std::size_t k = 0; k < zero.scene.n_positions(); ++k) EXPECT_NEAR(x[k], y[k], 1e-9);
+}
+
+TEST(Friction, TurnsRoundWithTheDrawingAndClosesItsLoop) {
+  DrawnBlock deck;
+  deck.drawn = "0.2*sin(6.283185307179586*max(t-1,0))";
+  deck.end = "4";
+  deck.step = "0.05";
+  const MarchedScene run{deck};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  const auto lost = run["friction_dissipation"];
+  const auto at = [&](double t) { return run.at(t, "friction_dissipation"); };
+  EXPECT_NEAR(at(4) - at(3), at(3) - at(2), 1e-3 * (at(4) - at(3)));  // one loop after the other
+  EXPECT_GT(at(4) - at(3), 0.02);
+}
+
+TEST(Friction, IsTheSameOnEveryNumberOfRanks) {
+  for (const std::string& friction : {std::string(), number("tangential penalty", "1e3")}) {
+    DrawnBlock deck;
+    deck.friction = friction;
+    const std::string exact = with_lists(deck, list("solver", deck_parameter("further iterations", "int", "1")));
+    const MarchedScene shared{exact}, alone_one(exact, alone());
+    EXPECT_LE(relative_difference(shared.unknowns(), alone_one.unknowns(), 0, shared.scene.n_positions()), 1e-10);
+    const auto a = shared["contact_force_x.pair"], b = alone_one["contact_force_x.pair"];
+    for (std::size_t k = 0; k < a.size(); ++k) EXPECT_NEAR(a[k], b[k], 1e-10);
+  }
+}
+
+/// Two free blocks, the upper one flies onto the lower one, slides, and both spin away.
+struct FlyingBlocks {
+  std::string scheme = "energy momentum midpoint contact", friction, step = "0.01", end = "0.4";
+
+  operator std::string() const {
+    const std::string lower = word("recipe", "block") + deck_parameter("size", "Array(double)", "{3, 3, 1}") +
+                              deck_parameter("elements", "Array(int)", "{3, 3, 1}"),
+                      upper = word("recipe", "block") + deck_parameter("size", "Array(double)", "{1.5, 1.5, 1}") +
+                              deck_parameter("elements", "Array(int)", "{2, 2, 1}") +
+                              deck_parameter("origin", "Array(double)", "{0.4, 0.8, 1.05}");
+    return list("flying blocks",
+                list("meshes", list("lower", lower) + list("upper", upper)) +
+                    list("materials", list("rubber", word("model", "neo-hookean") + number("youngs modulus", "1000") +
+                                                         number("poissons ratio", "0.3") + number("density", "1"))) +
+                    list("bodies", list("lower", word("mesh", "lower") + word("material", "rubber")) +
+                                       list("upper", word("mesh", "upper") + word("material", "rubber"))) +
+                    list("initial conditions", list("upper", deck_parameter("velocity", "Array(double)", "{4, 0.5, -2}"))) +
+                    list("contact", list("pair", word("secondary", "upper/bottom") + word("primary", "lower/top") +
+                                                     number("friction coefficient", "0.3") + friction)) +
+                    list("time", word("scheme", scheme) + number("step", step) + number("end", end)));
+  }
+};
+
+class FrictionInDynamics : public testing::TestWithParam<std::string> {};
+
+TEST_P(FrictionInDynamics, BalancesEnergyAndMomenta) {
+  FlyingBlocks deck;
+  deck.friction = GetParam();
+  const MarchedScene run{deck};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  const double energy = run["total_energy"].front(), lost = run["friction_dissipation"].back();
+  EXPECT_GT(lost, 0.02 * energy);
+  EXPECT_LE(run.relative_mismatch(), 1e-13);
+  EXPECT_LE(greatest_of(run["algorithmic_dissipation"]), 1e-11 * energy);
+  EXPECT_LE(relative_to(run, "linear_momentum_mismatch", "linear_momentum"), 1e-11);
+  const double turned = relative_to(run, "angular_momentum_mismatch", "angular_momentum");
+  const bool is_thesis = GetParam().find("thesis") != std::string::npos;
+  if (!is_thesis) {
+    EXPECT_LE(turned, 1e-11);
+  }
+  if (world()->getRank() == 0)
+    std::cout << "friction took " << lost / energy << ", contact " << run["contact_work"].back() / energy
+              << " of the energy; angular momentum missed by " << turned << '\n';
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, FrictionInDynamics,
+                         testing::Values("", word("slip", "thesis"), number("tangential penalty", "1e4"),
+                                         number("tangential penalty", "1e4") + word("slip", "thesis")));
+
+}  // namespace
+}  // namespace mortise::test
