@@ -20,7 +20,8 @@ TEST_P(DynamicDeck, MeetsWhatItExpects) {
 
 INSTANTIATE_TEST_SUITE_P(Inputs, DynamicDeck,
                          testing::Values("bar_on_wall/backward_euler", "bar_on_wall/persistent", "flat_pendulum/backward_euler",
-                                         "flat_pendulum/energy_momentum", "mass_point/modified", "mass_point/standard",
+                                         "flat_pendulum/energy_momentum", "incline/resting", "incline/sliding",
+                                         "released_beam/energy_momentum", "mass_point/modified", "mass_point/standard",
                                          "spring_pendulum/augmented", "spring_pendulum/soft_forward_euler",
                                          "spring_pendulum/stiff_energy_momentum_coarse",
                                          "spring_pendulum/stiff_generalised_alpha"));

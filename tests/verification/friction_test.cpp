@@ -114,6 +114,33 @@ TEST(Friction, IsTheSameOnEveryNumberOfRanks) {
   }
 }
 
+// Tractions and what stick has stored are in the checkpoint: the run goes on to the same bits.
+TEST(Friction, GoesOnFromACheckpointAsIfNothingHadBeen) {
+  if (world()->getSize() > 1) GTEST_SKIP() << "bit for bit is promised on one rank";
+  for (const std::string& friction : {std::string(), number("tangential penalty", "1e3")}) {
+    DrawnBlock deck;
+    deck.friction = friction;
+    const MarchedScene whole(deck, alone()), first(deck, alone(), 6), rest(deck, alone(), to_the_end, &first);
+    EXPECT_EQ(first.summary.code, ExitCode::terminated);
+    EXPECT_EQ(whole.unknowns(), rest.unknowns());
+    EXPECT_EQ(whole["friction_dissipation"], rest["friction_dissipation"]);
+    EXPECT_EQ(whole["stick_energy"], rest["stick_energy"]);
+  }
+}
+
+// Pairs without friction have one unknown at a node and no traction, whatever other pairs have.
+TEST(Friction, CostsNothingWhereThereIsNone) {
+  const DrawnBlock with_it;
+  const std::string without_it = with(std::string(with_it), number("friction coefficient", "0.4"), "");
+  const TestScene frictional(with_it), frictionless(without_it);
+  const int n = static_cast<int>(frictional.scene.pairs[0].secondary_nodes.size());
+  EXPECT_EQ(frictional.problem.dofs().n_unknowns() - frictionless.problem.dofs().n_unknowns(), 3 * n);
+  EXPECT_FALSE(frictionless.scene.has_friction());
+  const MarchedScene run{without_it};
+  EXPECT_EQ(greatest_of(run["friction_dissipation"]), 0);
+  EXPECT_EQ(greatest_of(run["stick"]) + greatest_of(run["slip"]), 0);
+}
+
 /// Two free blocks, the upper one flies onto the lower one, slides, and both spin away.
 struct FlyingBlocks {
   std::string scheme = "energy momentum midpoint contact", friction, step = "0.01", end = "0.4";
