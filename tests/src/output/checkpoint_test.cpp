@@ -86,7 +86,7 @@ TEST(CheckpointBytes, AreRefusedWithAnyBitFlippedOrAnyEndMissing) {
 }
 
 TEST(CheckpointBytes, OfAnotherFormatAreNamedAsSuch) {
-  EXPECT_NE(reason_against(with(to_bytes(example()), "format 4", "format 3")).find("another version"), std::string::npos);
+  EXPECT_NE(reason_against(with(to_bytes(example()), "format 5", "format 4")).find("another version"), std::string::npos);
   EXPECT_NE(reason_against("<ParameterList/>").find("no checkpoint"), std::string::npos);
 }
 
