@@ -182,6 +182,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   facet.matrix.clear();
   if (!sums.slip.is_null()) facet.slip.clear();
   double covered = 0;
+  PairTangent frictionless;  // neither is filled before it is used
+  FrictionalTangent frictional;
   for (std::size_t k = 0; k < facet.candidates.size(); ++k) {
     for (int a = 0; a < 4; ++a) input.x[4 + a] = position(x, pair_.primary.facets[facet.candidates[k]][a]);
     const Vec3<double> other = normal_of(&input.x[4]);
@@ -191,7 +193,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       ++counts_.turned_away;
       continue;
     }
-    const auto add = [&](auto pair, const auto&... friction) {
+    const auto add = [&](auto& pair, const auto&... friction) {
       if (!pair_values(input, friction..., rule_, pair)) return;
       ++counts_.overlaps;
       const double* c = pair.covered_area;
@@ -203,9 +205,9 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       add_pair(facet, k, pair, with_tangent, f, sums, K);
     };
     if (pair_.friction) {
-      add(FrictionalTangent(), friction_of(facet, k, x, input));
+      add(frictional, friction_of(facet, k, x, input));
     } else {
-      add(PairTangent());
+      add(frictionless);
     }
   }
   double whole_by_node[4], d_whole[4][36];

@@ -71,7 +71,7 @@ CheckedTerm checked_facets(const StepProblem& problem, const MortarTerm& term, c
   const int n_secondary = static_cast<int>(pair.secondary.facets.size()), stride = stride_for(n_secondary, most);
 
   CheckedTerm checked;
-  checked.name = fmt::format("contact \"{}\" (mortar, frictionless)", pair.name);
+  checked.name = fmt::format("contact \"{}\" (mortar, {})", pair.name, pair.friction ? "without its friction" : "frictionless");
   checked.pieces_name = "secondary facets, with all primary ones opposite";
   checked.ways = {{TangentKind::quadrature_point, "AD in stages"},
                   {TangentKind::whole_element, "whole AD"},
