@@ -128,7 +128,8 @@ def draw_total(runs, file):
 
 
 def legend_above(axes):
-    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncol=3)
+    labels = axes.get_legend_handles_labels()[1]
+    axes.legend(loc="lower left", bbox_to_anchor=(0, 1), borderaxespad=0.2, ncol=3 if max(map(len, labels)) < 20 else 2)
 
 
 def position_columns(run):

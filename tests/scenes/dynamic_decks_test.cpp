@@ -20,10 +20,10 @@ TEST_P(DynamicDeck, MeetsWhatItExpects) {
 
 INSTANTIATE_TEST_SUITE_P(Inputs, DynamicDeck,
                          testing::Values("bar_on_wall/backward_euler", "bar_on_wall/persistent", "flat_pendulum/backward_euler",
-                                         "flat_pendulum/energy_momentum", "incline/resting", "incline/sliding",
-                                         "released_beam/energy_momentum", "mass_point/modified", "mass_point/standard",
-                                         "spring_pendulum/augmented", "spring_pendulum/soft_forward_euler",
-                                         "spring_pendulum/stiff_energy_momentum_coarse",
+                                         "flat_pendulum/energy_momentum", "frictional_blocks/mu02", "frictional_blocks/mu08",
+                                         "incline/resting", "incline/sliding", "released_beam/energy_momentum",
+                                         "mass_point/modified", "mass_point/standard", "spring_pendulum/augmented",
+                                         "spring_pendulum/soft_forward_euler", "spring_pendulum/stiff_energy_momentum_coarse",
                                          "spring_pendulum/stiff_generalised_alpha"));
 
 // F3 of the catalogue of hard cases: more fields, frames at times between the steps, a probe more, and the same digits.
