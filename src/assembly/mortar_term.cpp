@@ -53,37 +53,6 @@ void MortarTerm::list_points(Facet& facet) {
   for (int corner : facet.corner) facet.points.push_back(pressure_point(corner));
 }
 
-bool MortarTerm::search(const double* x, double reach, double inward) {
-  ++counts_.searches;
-  const auto box_of = [&](const std::array<int, 4>& facet) {
-    Box box;
-    for (int node : facet) box.include(position(x, node));
-    return box;
-  };
-  std::vector<Box> boxes;
-  for (const auto& facet : pair_.primary.facets) boxes.push_back(box_of(facet));
-  const BoxTree tree(std::move(boxes));
-  bool changed = false;
-  for (auto& facet : facets_) {
-    // Along the normal as far as overlaps count, to all sides by what the surfaces may move.
-    const auto& nodes = pair_.secondary.facets[facet.index];
-    Vec3<double> normal = cross(position(x, nodes[2]) - position(x, nodes[0]), position(x, nodes[3]) - position(x, nodes[1]));
-    normal = (1 / norm(normal)) * normal;
-    Box box = box_of(nodes);
-    for (int node : nodes) {
-      box.include(position(x, node) + farthest() * normal);
-      box.include(position(x, node) - inward * normal);
-    }
-    box.widen(reach);
-    auto hits = tree.query(box);
-    if (hits == facet.candidates) continue;
-    facet.candidates = std::move(hits);
-    list_points(facet);
-    changed = true;
-  }
-  return changed;
-}
-
 void MortarTerm::append_cells(std::vector<Cell>& cells) {
   first_cell_ = cells.size();
   for (const auto& facet : facets_) cells.push_back(facet.points);
@@ -172,7 +141,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
     input.normal[a] = normal_[facet.corner[a]];
     input.pressure[a] = x[dofs_.local(pressure_point(facet.corner[a]))];
   }
-  const auto normal_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre, not normalised
+  const auto direction_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
   // Columns and rows of the local system: 4 nodes, 4 normals, the contact unknowns of 4 nodes, primary nodes; below, 4 rows each
@@ -186,7 +155,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   FrictionalTangent frictional;
   for (std::size_t k = 0; k < facet.candidates.size(); ++k) {
     for (int a = 0; a < 4; ++a) input.x[4 + a] = position(x, pair_.primary.facets[facet.candidates[k]][a]);
-    const Vec3<double> other = normal_of(&input.x[4]);
+    const Vec3<double> other = direction_of(&input.x[4]);
     ++counts_.pairs;
     constexpr double cos_80 = 0.17364817766693033;
     if (!(dot(facet_normal, other) < -cos_80 * norm(facet_normal) * norm(other))) {
@@ -198,7 +167,8 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       ++counts_.overlaps;
       const double* c = pair.covered_area;
       const double* g = &pair.row[36];
-      if (g[0] + g[1] + g[2] + g[3] > farthest() * (c[0] + c[1] + c[2] + c[3])) return;  // too far apart to matter
+      const double gap = (g[0] + g[1] + g[2] + g[3]) / (c[0] + c[1] + c[2] + c[3]);
+      if (gap > farthest() || gap < -facet.deepest) return;  // too far apart to matter, or on the body's other side
       if (with_tangent) pair_tangent(input, friction..., rule_, pair);
       for (int a = 0; a < 4; ++a) covered += c[a];
       if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + n_extra()) * n_local, 0.0);

@@ -24,7 +24,8 @@ class MortarTerm : public ContactTerm {
   MortarTerm(const ContactPair& pair, const Partition& partition, const DofSpace& dofs);
 
   /// Lists for each facet the primary facets whose boxes overlap its own, stretched outward along the normal by `farthest`,
-  /// inward by `inward`, and widened by `reach`. @param x positions on the overlap
+  /// inward by `inward` or as far as the secondary surface itself comes back there, and widened by `reach`. @param x positions on
+  /// the overlap
   /// @return whether a list changed
   bool search(const double* x, double reach, double inward) override;
 
@@ -54,6 +55,7 @@ class MortarTerm : public ContactTerm {
     int index;                    // in pair_.secondary.facets
     std::array<int, 4> corner;    // positions of its nodes in pair_.secondary_nodes
     std::vector<int> candidates;  // primary facets
+    double deepest = 0;           // what lies farther behind the facet is not inside its body but beyond it [m]
     std::vector<int> points;      // patch nodes (its own four first), primary nodes, pressures
     int n_patch = 0, n_primary = 0;
     std::vector<std::array<int, 4>> primary_at;  // per candidate: positions of its nodes among the primary nodes
@@ -66,6 +68,9 @@ class MortarTerm : public ContactTerm {
   /// search happens to look, may enter the mean gap of a node [m].
   double farthest() const { return std::max(pair_.size, pair_.primary_size); }
   void list_points(Facet& facet);
+  double thickness_behind(const BoxTree& own, const double* x, int facet, double most) const;
+  Box box_of(const double* x, const std::array<int, 4>& facet) const;
+  Vec3<double> normal_of(const double* x, const std::array<int, 4>& facet) const;
   void integrate_facet(Facet& facet, const double* x, bool with_tangent, double* f, NodalSums& sums);
   void chain_normals(Facet& facet, const std::vector<double>& K, int n_local) const;
   template <class Pair>

@@ -101,9 +101,8 @@ void store_derivatives(const Fad* const rows[n], Tangent& out) {
 
 /// The pair's shares with friction, given its variables and the tractions at the end of the step.
 template <class T>
-std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairFriction& friction,
-                                                       const AuxiliaryPlane& plane, const PairVariables<T>& v,
-                                                       const std::array<Vec3<T>, 4>& traction,
+std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairFriction& friction, const AuxiliaryPlane& plane,
+                                                       const PairVariables<T>& v, const std::array<Vec3<T>, 4>& traction,
                                                        const MortarIntegrals<T>& integrals) {
   std::array<Vec3<T>, 8> dx;
   const Vec3<double>& centre = plane.centre;
