@@ -18,6 +18,7 @@ struct NodalSums {
   /// Where the forces of friction act: covered area [m^2] and, at the unknowns of the traction, weighted slip of the step [m^3].
   /// Null: the positions are others.
   RCP<Vector> slip;
+  bool with_friction = true;  ///< false: forces of the pressures alone
 };
 
 /// Rows of the tractions of friction: factors of the derivatives that make them up, at the indices of the tractions.

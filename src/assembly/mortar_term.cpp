@@ -174,7 +174,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + n_extra()) * n_local, 0.0);
       add_pair(facet, k, pair, with_tangent, f, sums, K);
     };
-    if (pair_.friction) {
+    if (pair_.friction && sums.with_friction) {
       add(frictional, friction_of(facet, k, x, input));
     } else {
       add(frictionless);

@@ -189,7 +189,7 @@ RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
         spring.add_force(scheme_, data(*start_x_), data(*overlap_x), data(of_step));
     force->update(1.0, *owned_sum(of_step), 1.0);
   }
-  force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size()), 1.0);
+  force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size(), true), 1.0);
   return force;
 }
 
@@ -241,14 +241,13 @@ double StepProblem::contact_weight_at_end() const {
 }
 
 // Adds the forces of contacts [first, end) that do not act at the end of the step, with pressures from there.
+// @param sums gets what belongs to their positions: of use are the slips alone
 void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end,
-                                      Vector& contact, const RCP<Vector>& slips) {
+                                      NodalSums& sums, Vector& contact) {
   for (const auto& pass : contact_passes()) {
     if (pass.theta == 1 || pass.weight == 0) continue;
     const auto x = positions_at(pass.theta, overlap_x);
     Vector force(dofs_.overlap_map());
-    NodalSums sums(dofs_);
-    sums.slip = slips;
     for (std::size_t k = first; k < end; ++k) {
       if (!acts(*contacts_[k])) continue;
       contacts_[k]->integrate(data(*x), with_tangent, data(force), sums);
@@ -258,12 +257,13 @@ void StepProblem::add_contact_between(const RCP<Vector>& overlap_x, bool with_ta
   }
 }
 
-RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end) {
+RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end, bool with_friction) {
   Vector contact(dofs_.overlap_map());
-  add_contact_between(overlap_x, false, first, end, contact);
+  NodalSums unused(dofs_);
+  unused.with_friction = with_friction;
+  add_contact_between(overlap_x, false, first, end, unused, contact);
   if (const double weight = contact_weight_at_end(); weight != 0) {
     Vector force(dofs_.overlap_map());
-    NodalSums unused(dofs_);
     for (std::size_t k = first; k < end; ++k)
       if (acts(*contacts_[k])) contacts_[k]->integrate(data(*overlap_x), false, data(force), unused);
     contact.update(weight, force, 1.0);
@@ -272,7 +272,7 @@ RCP<Vector> StepProblem::contact_force_of(const RCP<Vector>& overlap_x, std::siz
 }
 
 RCP<Vector> StepProblem::push(const Vector& x, std::size_t k) {
-  const auto force = contact_force_of(to_overlap(x), k, k + 1);
+  const auto force = contact_force_of(to_overlap(x), k, k + 1, false);
   force->scale(-1.0);
   return force;
 }
@@ -281,6 +281,7 @@ RCP<Vector> StepProblem::push_at_end(const Vector& x, std::size_t k) {
   const auto overlap_x = to_overlap(x);
   Vector force(dofs_.overlap_map());
   NodalSums unused(dofs_);
+  unused.with_friction = false;
   if (acts(*contacts_[k])) contacts_[k]->integrate(data(*overlap_x), false, data(force), unused);
   const auto push = owned_sum(force);
   push->scale(-1.0);

@@ -40,7 +40,9 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
   for (const auto& term : pairs_) {
     const ContactPair& pair = term->pair();
     if (!pair.friction) continue;
-    const auto normals = term->normals(data(static_cast<const Vector&>(*where))), normals_before = term->normals(before);
+    const auto normals = term->normals(data(static_cast<const Vector&>(*where)));
+    std::vector<Vec3<double>> normals_before;  // of use to a stick that is a spring
+    if (pair.friction->penalty) normals_before = term->normals(before);
     const double part = pair.friction->theta_of(scheme_);
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
       const int point = term->pressure_point(k);

@@ -258,7 +258,9 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   const RCP<Vector> slips = scene_.has_friction() ? Teuchos::rcp(new Vector(dofs_.overlap_map())) : Teuchos::null;
   {
     const Stopwatch watch(counts_.seconds_contact);
-    add_contact_between(overlap_x, with_tangent, 0, contacts_.size(), contact, slips);
+    NodalSums between(dofs_);
+    between.slip = slips;
+    add_contact_between(overlap_x, with_tangent, 0, contacts_.size(), between, contact);
     Vector at_end(dofs_.overlap_map());
     if (contact_theta() == 1) sums.slip = slips;
     for (auto& term : contacts_)
@@ -356,12 +358,12 @@ void StepProblem::put_identity_rows() {
 }
 
 Vec3<double> StepProblem::force_on_secondary(const Vector& x, std::size_t k) {
-  const auto force = push(x, k);
+  const auto force = contact_force_of(to_overlap(x), k, k + 1, true);
   const double* f = data(*force);
   std::vector<double> sum(3, 0.0);
   for (int node : contacts_[k]->nodes().secondary_nodes)
     if (dofs_.owned(node))
-      for (int i = 0; i < 3; ++i) sum[i] += f[dofs_.local(node) + i];
+      for (int i = 0; i < 3; ++i) sum[i] -= f[dofs_.local(node) + i];
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, sum);
   return {sum[0], sum[1], sum[2]};
 }
@@ -370,10 +372,9 @@ RCP<Vector> StepProblem::contact_force(const Vector& x, const Vector& pressures)
   Vector mixed(x, Teuchos::Copy);
   double* to = data(mixed);
   const double* from = data(pressures);
-  for (int point : dofs_.overlap_points())
-    if (dofs_.owned(point) && !dofs_.is_node(point) && point < scene_.spring_point(0))
-      for (int i = dofs_.local(point); i < dofs_.local(point) + dofs_.size(point); ++i) to[i] = from[i];
-  return contact_force_of(to_overlap(mixed), 0, contacts_.size());
+  for (int k : overlap_pressures_)
+    if (k < dofs_.n_owned()) to[k] = from[k];
+  return contact_force_of(to_overlap(mixed), 0, contacts_.size(), false);
 }
 
 }  // namespace mortise

@@ -189,11 +189,13 @@ class StepProblem {
   /// residual. Null where the scene has none.
   RCP<Vector> force_from_ground(const Vector& x);
 
-  /// What one contact pushes the bodies with in this step [N], and would with its Jacobian at the end of the step; owned.
+  /// What the pressures of one contact push the bodies with in this step, friction apart [N], and would with their Jacobian at
+  /// the end of the step; owned.
   RCP<Vector> push(const Vector& x, std::size_t contact);
   RCP<Vector> push_at_end(const Vector& x, std::size_t contact);
 
-  /// Contact force of this step with pressures `p` taken from `pressures` and positions from `x`; sign of the residual.
+  /// Force of contact pressures in this step, friction apart, with the pressures taken from `pressures` and positions from `x`;
+  /// sign of the residual.
   RCP<Vector> contact_force(const Vector& x, const Vector& pressures);
 
  private:
@@ -225,10 +227,10 @@ class StepProblem {
   };
   std::vector<ContactPass> contact_passes() const;
   double contact_theta() const;
-  void add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end, Vector& contact,
-                           const RCP<Vector>& slips = Teuchos::null);
+  void add_contact_between(const RCP<Vector>& overlap_x, bool with_tangent, std::size_t first, std::size_t end, NodalSums& sums,
+                           Vector& contact);
   double contact_weight_at_end() const;
-  RCP<Vector> contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end);
+  RCP<Vector> contact_force_of(const RCP<Vector>& overlap_x, std::size_t first, std::size_t end, bool with_friction);
   double round_off_of_forces() const;
   void put_identity_rows();
   RCP<Vector> owned_sum(const Vector& shares) const;
@@ -277,7 +279,7 @@ class StepProblem {
   StepKinematics kinematics_;
   RCP<Vector> start_v_, start_a_;                        // overlap, at the start of the step; null in statics
   RCP<const Vector> internal_before_, external_before_;  // of a mean of forces: those at its start, owned
-  std::vector<int> overlap_pressures_;                   // local indices
+  std::vector<int> overlap_pressures_;                   // local indices, with the tractions of friction
   std::shared_ptr<const std::vector<PrescribedDof>> acting_ = std::make_shared<std::vector<PrescribedDof>>();
   std::vector<std::pair<int, double>> prescribed_;  // owned local unknown, position at time_
   RCP<Vector> dead_;                                // owned: force of the dead loads at time_

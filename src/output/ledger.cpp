@@ -1,6 +1,5 @@
 #include "output/ledger.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "assembly/vectors.hpp"
@@ -88,8 +87,6 @@ ContactWork contact_work(const Ledger& ledger, StepProblem& problem, const State
     const int point = problem.dofs().n_nodes() + k;
     const GlobalIndex at = problem.dofs().global(point);
     work.weighted_gap.push_back(gap[at] * area[at]);
-    if (problem.dofs().owned(point))
-      std::fill_n(p + problem.dofs().local(point) + 1, problem.dofs().size(point) - 1, 0.0);  // no traction
     if (!ledger.closed[k]) continue;
     work.both_ends += x[at] * (work.weighted_gap[k] - ledger.weighted_gap[k]);
     if (problem.dofs().owned(point)) p[problem.dofs().local(point)] = 0;
@@ -110,10 +107,12 @@ JumpWork jump_work(const StepProblem& problem, const State& now, const Evaluatio
   Vector mean(*now.v, Teuchos::Copy), outside(*at.jump->impulse_of_ground, Teuchos::Copy), reaction(mean.getMap());
   mean.update(-0.5, *at.jump->change, 1.0);
   const auto momenta = problem.momenta(*at.jump->change);
+  double* pushed = data(reaction);
+  const double *gained = data(*momenta), *by_contact = data(*at.jump->impulse);
   for (const auto& p : *at.prescribed)
     if (problem.dofs().owned(p.node)) {
       const int k = problem.dofs().local(p.node) + p.axis;
-      data(reaction)[k] = data(*momenta)[k] - data(*at.jump->impulse)[k];
+      pushed[k] = gained[k] - by_contact[k];
     }
   outside.update(1.0, reaction, 1.0);
   work.contact = at.jump->impulse->dot(mean);

@@ -136,10 +136,13 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     for (const auto& [name, file] : scene.carried->files)
       text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
   const int n_q = 3 * problem.dofs().n_nodes();
+  std::size_t n_tractions = 0;
+  for (const ContactNodes* contact : scene.contacts()) n_tractions += (contact->n_unknowns - 1) * contact->secondary_nodes.size();
   text += fmt::format(
-      "ranks {}\nunknowns {} ({} positions, {} contact pressures, {} pressures of elements, {} of springs)\nelements {}\n",
-      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers, scene.n_element_pressures(),
-      2 * scene.n_augmented_springs, n_elements(scene.mesh.mesh));
+      "ranks {}\nunknowns {} ({} positions, {} contact pressures, {} of tractions, {} pressures of elements, {} of springs)\n"
+      "elements {}\n",
+      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers, n_tractions,
+      scene.n_element_pressures(), 2 * scene.n_augmented_springs, n_elements(scene.mesh.mesh));
   text += fmt::format(
       "copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are "
       "on every rank\n",

@@ -22,8 +22,9 @@ std::string update_velocities(StepProblem& problem, LinearSolver& linear, const 
     const auto push = problem.push_at_end(*to.x, k);
     if (push->normInf() == 0) continue;
     Vector free_push(*push, Teuchos::Copy), answer(map);
+    double* free = data(free_push);
     for (int row = 0; row < problem.dofs().n_owned(); ++row)
-      if (problem.identity_rows()[row]) data(free_push)[row] = 0;
+      if (problem.identity_rows()[row]) free[row] = 0;
     report = linear.solve(free_push, answer);
     const double work = problem.push(*to.x, k)->dot(dq), parting = push->dot(*to.v), mobility = push->dot(answer);
     if (!report.solved || !(mobility > 0)) continue;

@@ -8,9 +8,9 @@
 
 namespace mortise {
 
-/// Lets velocities jump, contact after contact that closes by `velocity update`, along the mass' answer to the contact force f at
-/// the end of the step, with Jacobians from there so that momenta stay: v <- v + b M^-1 f with b [s] such that the work of the
-/// contact in the step and that of its impulse b f are nothing together,
+/// Lets velocities jump, contact after contact that closes by `velocity update`, along the mass' answer to the force f of its
+/// pressures at the end of the step, with Jacobians from there so that momenta stay: v <- v + b M^-1 f with b [s] such that the
+/// work of the contact in the step and that of its impulse b f are nothing together,
 ///   W + b f . v + b^2/2 f . M^-1 f = 0.
 /// Of the two roots the one after which the surfaces part; where there is none, the jump takes as much of W as it can. One
 /// number for each contact, after Laursen & Love (2002), who have one for each node. Collective.

@@ -13,20 +13,12 @@
 namespace mortise {
 namespace {
 
-/// Random directions, alike on any number of ranks.
-std::vector<RCP<Vector>> random_directions(const StepProblem& problem, const Vector& x) {
-  std::mt19937 engine{20240229};
-  std::vector<RCP<Vector>> directions;
-  for (int n = 0; n < n_step_directions; ++n) {
-    std::vector<double> all(problem.dofs().n_unknowns());
-    for (double& entry : all) entry = 2 * (engine() * 0x1p-32) - 1;
-    directions.push_back(problem.scatter(all));
-    double* d = data(*directions.back());
-    for (int k = 0; k < problem.dofs().n_owned(); ++k)
-      d[k] *= k < problem.dofs().n_owned_positions() ? problem.scene().size : std::abs(data(x)[k]);
-  }
-  return directions;
-}
+/// A direction, what the tangent makes of it, and the size of what that is made of.
+struct Direction {
+  RCP<Vector> d;
+  Vector Kd, size;
+  double no_force;  ///< a row of positions below is round-off of the others, as of a slack string across itself
+};
 
 /// sum_j |K_ij d_j|
 Vector magnitudes(const Matrix& K, const Vector& d) {
@@ -37,10 +29,34 @@ Vector magnitudes(const Matrix& K, const Vector& d) {
     seen.assign(d);
   }
   const auto local = K.getLocalMatrixHost();
+  const double* from = data(seen);
+  double* to = data(sums);
   for (int row = 0; row < local.numRows(); ++row)
     for (auto entry = local.graph.row_map(row); entry < local.graph.row_map(row + 1); ++entry)
-      data(sums)[row] += std::abs(local.values(entry) * data(seen)[local.graph.entries(entry)]);
+      to[row] += std::abs(local.values(entry) * from[local.graph.entries(entry)]);
   return sums;
+}
+
+/// Random directions, alike on any number of ranks.
+std::vector<Direction> random_directions(const StepProblem& problem, const Vector& x, const Matrix& K) {
+  const DofSpace& dofs = problem.dofs();
+  const double* unknowns = data(x);
+  std::mt19937 engine{20240229};
+  std::vector<Direction> directions;
+  for (int n = 0; n < n_step_directions; ++n) {
+    std::vector<double> all(dofs.n_unknowns());
+    for (double& entry : all) entry = 2 * (engine() * 0x1p-32) - 1;
+    const auto direction = problem.scatter(all);
+    double* d = data(*direction);
+    for (int k = 0; k < dofs.n_owned(); ++k) d[k] *= k < dofs.n_owned_positions() ? problem.scene().size : std::abs(unknowns[k]);
+    Direction along{direction, Vector(x.getMap()), magnitudes(K, *direction), 0};
+    K.apply(*direction, along.Kd);
+    const double* size = data(along.size);
+    const double greatest = dofs.n_owned_positions() > 0 ? *std::max_element(size, size + dofs.n_owned_positions()) : 0;
+    along.no_force = 1e-12 * all_reduced(*dofs.comm(), Teuchos::REDUCE_MAX, greatest);
+    directions.push_back(along);
+  }
+  return directions;
 }
 
 /// Rows of contact that is closed, and all that is none of contact.
@@ -57,24 +73,19 @@ std::vector<char> compared_rows(const StepProblem& problem, const Evaluation& at
 
 StepTangent tangent_difference(StepProblem& problem, const Vector& x, const Matrix& K) {
   const Comm& comm = *problem.dofs().comm();
+  const int n_owned = problem.dofs().n_owned(), n_positions = problem.dofs().n_owned_positions();
   std::vector<char> compared = compared_rows(problem, problem.evaluate(x));
-  for (int k = 0; k < problem.dofs().n_owned(); ++k) compared[k] = compared[k] && !problem.identity_rows()[k];
-  const auto directions = random_directions(problem, x);
+  for (int k = 0; k < n_owned; ++k) compared[k] = compared[k] && !problem.identity_rows()[k];
+  const auto directions = random_directions(problem, x, K);
   StepTangent result;
   result.n_rows = all_reduced(comm, Teuchos::REDUCE_SUM, static_cast<int>(std::count(compared.begin(), compared.end(), 1)));
   result.difference = std::numeric_limits<double>::infinity();
   for (double h : {1e-3, 1e-4, 1e-5, 1e-6}) {
     double greatest = 0;
-    for (const auto& d : directions) {
-      Vector Kd(x.getMap());
-      K.apply(*d, Kd);
-      const Vector size = magnitudes(K, *d);
-      double no_force = 0;  // a row of positions that is round-off of the others, as of a slack string across itself
-      for (int k = 0; k < problem.dofs().n_owned_positions(); ++k) no_force = std::max(no_force, 1e-12 * data(size)[k]);
-      no_force = all_reduced(comm, Teuchos::REDUCE_MAX, no_force);
+    for (const Direction& along : directions) {
       const auto moved = [&](double step) {
         Vector to(x, Teuchos::Copy);
-        to.update(step, *d, 1.0);
+        to.update(step, *along.d, 1.0);
         return problem.evaluate(to);
       };
       const Evaluation ahead = moved(h), behind = moved(-h);
@@ -83,12 +94,11 @@ StepTangent tangent_difference(StepProblem& problem, const Vector& x, const Matr
         continue;
       }
       const std::vector<char> closed_ahead = compared_rows(problem, ahead), closed_behind = compared_rows(problem, behind);
-      for (int k = 0; k < problem.dofs().n_owned(); ++k) {
-        if (!compared[k] || !closed_ahead[k] || !closed_behind[k] ||
-            data(size)[k] <= (k < problem.dofs().n_owned_positions() ? no_force : 0))
-          continue;
-        const double difference = (data(*ahead.residual)[k] - data(*behind.residual)[k]) / (2 * h) - data(Kd)[k];
-        greatest = std::max(greatest, std::abs(difference) / data(size)[k]);
+      const double *Kd = data(along.Kd), *size = data(along.size), *plus = data(*ahead.residual), *minus = data(*behind.residual);
+      for (int k = 0; k < n_owned; ++k) {
+        const bool is_seen =
+            compared[k] && closed_ahead[k] && closed_behind[k] && size[k] > (k < n_positions ? along.no_force : 0);
+        if (is_seen) greatest = std::max(greatest, std::abs((plus[k] - minus[k]) / (2 * h) - Kd[k]) / size[k]);
       }
     }
     result.difference = std::min(result.difference, all_reduced(comm, Teuchos::REDUCE_MAX, greatest));
