@@ -16,7 +16,7 @@ namespace {
 /// A direction, what the tangent makes of it, and the size of what that is made of.
 struct Direction {
   RCP<Vector> d;
-  Vector Kd, size;
+  Vector product, size;
   double no_force;  ///< a row of positions below is round-off of the others, as of a slack string across itself
 };
 
@@ -50,7 +50,7 @@ std::vector<Direction> random_directions(const StepProblem& problem, const Vecto
     double* d = data(*direction);
     for (int k = 0; k < dofs.n_owned(); ++k) d[k] *= k < dofs.n_owned_positions() ? problem.scene().size : std::abs(unknowns[k]);
     Direction along{direction, Vector(x.getMap()), magnitudes(K, *direction), 0};
-    K.apply(*direction, along.Kd);
+    K.apply(*direction, along.product);
     const double* size = data(along.size);
     const double greatest = dofs.n_owned_positions() > 0 ? *std::max_element(size, size + dofs.n_owned_positions()) : 0;
     along.no_force = 1e-12 * all_reduced(*dofs.comm(), Teuchos::REDUCE_MAX, greatest);
@@ -94,11 +94,12 @@ StepTangent tangent_difference(StepProblem& problem, const Vector& x, const Matr
         continue;
       }
       const std::vector<char> closed_ahead = compared_rows(problem, ahead), closed_behind = compared_rows(problem, behind);
-      const double *Kd = data(along.Kd), *size = data(along.size), *plus = data(*ahead.residual), *minus = data(*behind.residual);
+      const double *product = data(along.product), *size = data(along.size), *plus = data(*ahead.residual),
+                   *minus = data(*behind.residual);
       for (int k = 0; k < n_owned; ++k) {
         const bool is_seen =
             compared[k] && closed_ahead[k] && closed_behind[k] && size[k] > (k < n_positions ? along.no_force : 0);
-        if (is_seen) greatest = std::max(greatest, std::abs((plus[k] - minus[k]) / (2 * h) - Kd[k]) / size[k]);
+        if (is_seen) greatest = std::max(greatest, std::abs((plus[k] - minus[k]) / (2 * h) - product[k]) / size[k]);
       }
     }
     result.difference = std::min(result.difference, all_reduced(comm, Teuchos::REDUCE_MAX, greatest));
