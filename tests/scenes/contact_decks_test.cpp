@@ -32,7 +32,8 @@ TEST_P(StaticDeck, MeetsWhatItExpectsOnAnyNumberOfRanks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, StaticDeck,
-                         testing::Values(ContactDeck{"hertz/cylinder", false}, ContactDeck{"hertz/sphere", true}));
+                         testing::Values(ContactDeck{"cattaneo/cattaneo", true}, ContactDeck{"hertz/cylinder", false},
+                                         ContactDeck{"hertz/sphere", true}));
 
 }  // namespace
 }  // namespace mortise::test
