@@ -32,8 +32,10 @@ TEST_P(StaticDeck, MeetsWhatItExpectsOnAnyNumberOfRanks) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Inputs, StaticDeck,
-                         testing::Values(ContactDeck{"cattaneo/cattaneo", true}, ContactDeck{"hertz/cylinder", false},
-                                         ContactDeck{"hertz/sphere", true}));
+                         testing::Values(ContactDeck{"capstan/mu03", false}, ContactDeck{"capstan/mu12", false},
+                                         ContactDeck{"cattaneo/cattaneo", true}, ContactDeck{"hertz/cylinder", false},
+                                         ContactDeck{"hertz/sphere", true}, ContactDeck{"rotating_blocks/frictionless", true},
+                                         ContactDeck{"rotating_blocks/frictional", true}));
 
 }  // namespace
 }  // namespace mortise::test
