@@ -1,18 +1,14 @@
 // The full cylinder: a core of squares within round shells.
-#include <algorithm>
-#include <cmath>
-
 #include "mesh/recipes/axis.hpp"
-#include "mesh/recipes/cube_direction.hpp"
 #include "mesh/recipes/data_check.hpp"
 #include "mesh/recipes/lattice.hpp"
+#include "mesh/recipes/round_core.hpp"
 
 namespace mortise::recipes {
 
 namespace {
 
 constexpr double core_share = 0.6;  // of the radius, to the corners of the core: its elements and the shells are then alike
-constexpr double roundness = 0.5;   // of the core's rim: between a square (0) and a circle (1)
 
 /// Lattice point p of the rim of the square max |c_i| = n, counter-clockwise from the corner (n, -n), in steps of 2.
 std::array<int, 2> on_rim(int p, int n) {
@@ -27,18 +23,6 @@ std::array<int, 2> on_rim(int p, int n) {
     default:
       return {along, -n};
   }
-}
-
-/// Position in the core of unit radius to its corners: squares that grow rounder outwards,
-///   P = rho ((1 - w rho) q / sqrt(2) + w rho d),  rho = max |c_i| / n,  q = c / max |c_i|,  d the direction through q.
-std::array<double, 2> in_core(const std::array<int, 2>& c, int n) {
-  const int ring = std::max(std::abs(c[0]), std::abs(c[1]));
-  if (ring == 0) return {0, 0};
-  const double rho = static_cast<double>(ring) / n, w = roundness * rho;
-  const auto d = cube_direction(c, ring);
-  std::array<double, 2> P{};
-  for (std::size_t i = 0; i < 2; ++i) P[i] = rho * ((1 - w) * std::sqrt(0.5) * c[i] / ring + w * d[i]);
-  return P;
 }
 
 }  // namespace

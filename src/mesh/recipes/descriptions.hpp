@@ -126,20 +126,51 @@ void describe(Fields& f, RingSector& o) {
 /// cancellation.
 inline double sagitta(double R, double d) { return d * d / (R + std::sqrt((R - d) * (R + d))); }
 
+/// How far the lower face reaches from its crown.
+inline double reach(const CurvedIndenter& o) {
+  const double x = (o.part == CurvedIndenter::Part::whole ? 0.5 : 1) * o.size[0],
+               y = (o.part == CurvedIndenter::Part::quarter ? 1 : 0.5) * o.size[1];
+  return o.shape == CurvedIndenter::Shape::sphere ? std::hypot(x, y) : x;
+}
+
 template <class Fields>
 void describe(Fields& f, CurvedIndenter& o) {
   using Shape = CurvedIndenter::Shape;
+  using Part = CurvedIndenter::Part;
   describe_box(f, o, "edge lengths in x, y, z; the height is that at the crown");
   f.required("radius", o.radius, positive, "length", "radius of the lower face");
   f.choice("shape", o.shape, Choices<Shape>{{"cylinder", Shape::cylinder}, {"sphere", Shape::sphere}}, Presence::optional,
            "what the lower face is a part of; the axis of the cylinder is along y");
+  f.choice("part", o.part, Choices<Part>{{"whole", Part::whole}, {"half", Part::half}, {"quarter", Part::quarter}},
+           Presence::optional,
+           "what is meshed where the rest is its mirror image: half: from the crown on in x, whose left side is then at the "
+           "crown; quarter: in y too, with the front at the crown");
   f.optional("grading", o.grading, size_ratio, "-",
              "in x and y: size of elements at the rim over that at the crown; in z: of the last over the first");
-  const double reach = 0.5 * (o.shape == Shape::sphere ? std::hypot(o.size[0], o.size[1]) : o.size[0]);
-  f.rule("D08", {"radius", "size"}, o.radius >= reach, "must reach to the rim of the lower face",
-         ", " + shortest(reach) + " off");
-  f.rule("D08", {"size", "radius"}, o.radius < reach || sagitta(o.radius, reach) < o.size[2],
+  const double rim = reach(o);
+  f.rule("D08", {"radius", "size"}, o.radius >= rim, "must reach to the rim of the lower face", ", " + shortest(rim) + " off");
+  f.rule("D08", {"size", "radius"}, o.radius < rim || sagitta(o.radius, rim) < o.size[2],
          "must be higher than the lower face is curved");
+}
+
+template <class Fields>
+void describe(Fields& f, QuarterIndenter& o) {
+  f.required("radius", o.radius, positive, "length", "radius of the lower face");
+  f.required("rim radius", o.rim_radius, positive, "length", "radius of the block");
+  f.required("core radius", o.core_radius, positive, "length", "from the axis to the corner of the core of squares");
+  f.required("height", o.height, positive, "length", "length along the axis");
+  f.optional("elements", o.elements, element_count, "-",
+             "number of elements along a side of the core (an eighth of the circumference), through the shells, along z");
+  f.optional("grading", o.grading, size_ratio, "-",
+             "size of the last element over that of the first, outwards through the shells, along z");
+  f.rule("D08", {"core radius", "rim radius"}, o.core_radius < o.rim_radius, "must be less than \"rim radius\"",
+         " = " + shortest(o.rim_radius));
+  f.rule("D08", {"radius", "rim radius"}, o.radius >= o.rim_radius, "must reach to the rim of the lower face",
+         ", " + shortest(o.rim_radius) + " off");
+  f.rule("D08", {"height", "radius", "rim radius"}, o.radius < o.rim_radius || sagitta(o.radius, o.rim_radius) < o.height,
+         "must be higher than the lower face is curved");
+  const double core = o.elements[0] + 1.;
+  limit_nodes(f, (core * core + 2 * core * (o.elements[1] + 1.)) * (o.elements[2] + 1.));
 }
 
 template <class Fields>

@@ -100,11 +100,27 @@ struct CurvedIndenter {
       "a block with a curved lower face, whose lowest point or line (the crown) is in the middle of the face at z = 0; sides as "
       "of a block";
   enum class Shape { cylinder, sphere };
+  enum class Part { whole, half, quarter };
   std::array<double, 3> size{1, 1, 1};  ///< edge lengths; the height is that at the crown
   double radius = 0;                    ///< of the lower face
   Shape shape = Shape::cylinder;        ///< the cylinder's axis is along y
   std::array<int, 3> elements{4, 4, 4};
   std::array<double, 3> grading{1, 1, 1};  ///< x, y: element size at the rim / at the crown; z: last / first
+  Part part = Part::whole;                 ///< half: the crown is at x = 0, the left side; quarter: at y = 0 (front) too
+};
+
+/// A quarter of a round block about the z axis, x, y >= 0, with a spherical lower face that touches z = 0 on the axis.
+struct QuarterIndenter {
+  static constexpr const char* name = "quarter indenter";
+  static constexpr const char* help =
+      "a quarter (x, y >= 0) of a round block about the z axis whose lower face is a sphere, lowest (the crown) at the origin: a "
+      "core of squares within round shells; sides: left (x = 0), front (y = 0), bottom, top, outer";
+  double radius = 0;                     ///< of the lower face
+  double rim_radius = 0;                 ///< of the block
+  double core_radius = 0;                ///< from the axis to the corner of the core
+  double height = 0;                     ///< on the axis
+  std::array<int, 3> elements{4, 2, 4};  ///< along a side of the core, shells, along the axis
+  std::array<double, 2> grading{1, 1};   ///< last / first element size, outwards through the shells, along the axis
 };
 
 /// A block whose top face rises in x.
@@ -168,6 +184,7 @@ Mesh make(const Cylinder& o);
 Mesh make(const HollowCylinder& o);
 Mesh make(const RingSector& o);
 Mesh make(const CurvedIndenter& o);
+Mesh make(const QuarterIndenter& o);
 Mesh make(const Wedge& o);
 Mesh make(const LBlock& o);
 Mesh make(const Hexahedron& o);
@@ -178,8 +195,8 @@ Mesh make(const Line& o);
 
 /// What a deck may ask for, in the order of the reference.
 using Recipe = std::variant<recipes::Block, recipes::GradedBlock, recipes::HollowSphere, recipes::Torus, recipes::Cylinder,
-                            recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::Wedge,
-                            recipes::LBlock, recipes::Hexahedron, recipes::Points, recipes::Line>;
+                            recipes::HollowCylinder, recipes::RingSector, recipes::CurvedIndenter, recipes::QuarterIndenter,
+                            recipes::Wedge, recipes::LBlock, recipes::Hexahedron, recipes::Points, recipes::Line>;
 
 /// Whether a recipe makes hexahedra, which can be cut into other elements.
 inline bool makes_solids(const Recipe& recipe) {

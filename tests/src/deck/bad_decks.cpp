@@ -224,6 +224,17 @@ const std::vector<BadDeck> wrong_names{
          parameter("shape", "string", "spere"),
      "4:121: error[D10]",
      {"did you mean \"sphere\"? allowed: cylinder, sphere"}},
+    {"MisspeltPartOfARecipe",
+     recipe,
+     parameter("recipe", "string", "curved indenter") + parameter("radius", "double", "4") + parameter("part", "string", "haf"),
+     "4:121: error[D10]",
+     {"did you mean \"half\"? allowed: whole, half, quarter"}},
+    {"CoreWiderThanTheRim",
+     recipe,
+     parameter("recipe", "string", "quarter indenter") + parameter("radius", "double", "4") +
+         parameter("rim radius", "double", "1") + parameter("height", "double", "1") + parameter("core radius", "double", "2"),
+     "4:226: error[D08]",
+     {"\"core radius\" = 2 - must be less than \"rim radius\" = 1"}},
     {"BlockOfTwoBodies",
      R"(<ParameterList name="bodies">)",
      R"(<ParameterList name="bodies"><ParameterList name="ball">)" + parameter("mesh", "string", "cube") +

@@ -119,6 +119,40 @@ struct SphericalIndenterCase {
   }
 };
 
+/// A quarter of the block that is cut by a sphere, twice as wide each way.
+struct QuarterIndenterCase : SphericalIndenterCase {
+  static Kind data(int times) {
+    return {{l / 2, w / 2, h}, R, Kind::Shape::sphere, {2 * times, times, times}, {3, 2, 1}, Kind::Part::quarter};
+  }
+  static double volume() { return SphericalIndenterCase::volume() / 4; }
+  static std::map<std::string, double> areas() {
+    const auto whole = SphericalIndenterCase::areas();
+    return {{"left", integral(0, w / 2, [](double b) { return h - sagged(0, b); })},
+            {"right", whole.at("right") / 2},
+            {"front", integral(0, l / 2, [](double a) { return h - sagged(a, 0); })},
+            {"back", whole.at("back") / 2},
+            {"bottom", whole.at("bottom") / 4},
+            {"top", l * w / 4}};
+  }
+};
+
+/// A quarter of a round block, cut by a sphere.
+struct RoundQuarterCase {
+  static constexpr double r = 1, h = 0.9, R = 1.5;
+  using Kind = recipes::QuarterIndenter;
+  static Kind data(int times) { return {R, r, 0.4, h, {2 * times, 2 * times, times}, {2, 0.5}}; }
+  static double rise() { return R - std::sqrt(R * R - r * r); }
+  static double volume() { return pi / 4 * (r * r * h - R * r * r + 2. / 3 * (R * R * R - std::pow(R * R - r * r, 1.5))); }
+  static std::map<std::string, double> areas() {
+    const double profile = r * h - (r * R - (r * std::sqrt(R * R - r * r) + R * R * std::asin(r / R)) / 2);
+    return {{"left", profile},
+            {"front", profile},
+            {"bottom", pi / 2 * R * rise()},
+            {"top", pi / 4 * r * r},
+            {"outer", pi / 2 * r * (h - rise())}};
+  }
+};
+
 struct WedgeCase {
   using Kind = recipes::Wedge;
   static Kind data(int times) { return {{4, 1, 2}, -0.25, {2 * times, times, times}, {2, 1, 3}}; }
@@ -153,9 +187,9 @@ struct HexahedronCase {
   }
 };
 
-using Recipes =
-    testing::Types<BlockCase, GradedBlockCase, HollowSphereCase, TorusCase, CylinderCase, HollowCylinderCase, RingSectorCase,
-                   CylindricalIndenterCase, SphericalIndenterCase, WedgeCase, LBlockCase, HexahedronCase>;
+using Recipes = testing::Types<BlockCase, GradedBlockCase, HollowSphereCase, TorusCase, CylinderCase, HollowCylinderCase,
+                               RingSectorCase, CylindricalIndenterCase, SphericalIndenterCase, QuarterIndenterCase,
+                               RoundQuarterCase, WedgeCase, LBlockCase, HexahedronCase>;
 
 // ---- measures ---------------------------------------------------------------------------------------------------------
 

@@ -202,6 +202,26 @@ TEST(CurvedIndenter, HasItsLowerNodesOnTheCurveAndItsCrownAtZero) {
   EXPECT_EQ(*lowest, (Point{1, 0.5, 0}));
 }
 
+TEST(CurvedIndenter, HasItsCrownAtTheEdgeOfAPart) {
+  using Indenter = recipes::CurvedIndenter;
+  Indenter data{{1, 0.5, 1}, 2, Indenter::Shape::sphere, {3, 2, 2}, {3, 1, 1}, Indenter::Part::half};
+  const auto from_centre = [](double y) { return [y](const Point& x) { return std::hypot(x[0], x[1] - y, x[2] - 2); }; };
+  EXPECT_LE(deviation(make(data), "bottom", 2, from_centre(0.25)), few_ulps);
+  data.part = Indenter::Part::quarter;
+  const Mesh quarter = make(data);
+  EXPECT_LE(deviation(quarter, "bottom", 2, from_centre(0)), few_ulps);
+  EXPECT_EQ(at(quarter, 0), (Point{0, 0, 0}));
+  EXPECT_NEAR((at(quarter, 3)[0] - at(quarter, 2)[0]) / at(quarter, 1)[0], 3, 1e-12);  // last element over first
+}
+
+TEST(QuarterIndenter, HasItsLowerNodesOnTheSphereAndItsOuterOnesOnTheRim) {
+  const Mesh mesh = make(RoundQuarterCase::data(2));
+  EXPECT_LE(deviation(mesh, "bottom", 1.5, [](const Point& x) { return std::hypot(x[0], x[1], x[2] - 1.5); }), few_ulps);
+  EXPECT_LE(deviation(mesh, "outer", 1, from_axis), few_ulps);
+  EXPECT_EQ(deviation(mesh, "left", 0, [](const Point& x) { return x[0]; }), 0);
+  EXPECT_EQ(deviation(mesh, "front", 0, [](const Point& x) { return x[1]; }), 0);
+}
+
 TEST(CurvedIndenter, HasElementsThatGrowFromTheCrownToTheRim) {
   recipes::CurvedIndenter data{{2, 1, 1}, 3, recipes::CurvedIndenter::Shape::cylinder, {40, 1, 1}, {4, 1, 1}};
   const Mesh mesh = make(data);
@@ -356,6 +376,26 @@ TEST(CurvedIndenter, RefusesARadiusThatDoesNotFitTheBlock) {
   expect_words(mesh_error_of(with({2, 2, 5}, 1.1, Shape::sphere)), {"M41", "\"radius\" = 1.1 - must reach"});
   expect_words(mesh_error_of(with({2, 2, 1}, 1, Shape::cylinder)), {"M41", "\"size\" = {2, 2, 1} - must be higher"});
   EXPECT_NO_THROW(with({2, 2, 5}, 1, Shape::cylinder)());  // half a cylinder
+}
+
+TEST(CurvedIndenter, OfWhichAPartIsMeshedReachesTwiceAsFar) {
+  using Indenter = recipes::CurvedIndenter;
+  const auto part = [](Indenter::Part which) {
+    return [=] { make(Indenter{{2, 2, 5}, 1.5, Indenter::Shape::cylinder, {2, 2, 2}, {1, 1, 1}, which}); };
+  };
+  EXPECT_NO_THROW(part(Indenter::Part::whole)());
+  expect_words(mesh_error_of(part(Indenter::Part::half)), {"M41", "\"radius\" = 1.5 - must reach", "2 off"});
+  expect_words(mesh_error_of(part(Indenter::Part::quarter)), {"M41", "\"radius\" = 1.5 - must reach", "2 off"});
+}
+
+TEST(QuarterIndenter, RefusesRadiiAndAHeightThatDoNotFit) {
+  const auto with = [](double radius, double core, double height) {
+    return [=] { make(recipes::QuarterIndenter{radius, 1, core, height, {2, 2, 2}, {1, 1}}); };
+  };
+  expect_words(mesh_error_of(with(2, 1, 2)), {"M41", "\"core radius\" = 1 - must be less than \"rim radius\" = 1"});
+  expect_words(mesh_error_of(with(0.9, 0.5, 2)), {"M41", "\"radius\" = 0.9 - must reach to the rim", "1 off"});
+  expect_words(mesh_error_of(with(1, 0.5, 1)), {"M41", "\"height\" = 1 - must be higher than the lower face is curved"});
+  EXPECT_NO_THROW(with(1, 0.5, 1.1)());
 }
 
 TEST(Wedge, RefusesASlopeThatLeavesNoHeight) {
