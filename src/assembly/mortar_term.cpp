@@ -140,8 +140,6 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       input.frozen->normal[a] = start_normal_[facet.corner[a]];
     }
   }
-  const auto direction_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre
-  const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
   // Columns and rows of the local system: 4 nodes, 4 normals, the contact unknowns of 4 nodes, primary nodes; below, 4 rows each
   // of covered and whole areas, and 12 of weighted slips.
@@ -158,10 +156,9 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       input.x[4 + a] = position(x, node);
       if (input.frozen) input.frozen->x[4 + a] = position(start_, node);
     }
-    const Vec3<double> other = direction_of(&input.x[4]);
     ++counts_.pairs;
-    constexpr double cos_80 = 0.17364817766693033;
-    if (!(dot(facet_normal, other) < -cos_80 * norm(facet_normal) * norm(other))) {
+    const PairWeight facing = facing_weight(input);
+    if (facing.value == 0) {
       ++counts_.turned_away;
       continue;
     }
@@ -174,6 +171,9 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       if (gap > farthest() || gap < -facet.deepest) return;  // too far apart to matter, or on the body's other side
       if (with_tangent) pair_tangent(input, friction..., rule_, pair);
       for (int a = 0; a < 4; ++a) covered += c[a];
+      PairWeight weight = facing;
+      add_nearness(pair, farthest(), with_tangent, weight);
+      weigh(weight, with_tangent, pair);
       if (with_tangent && K.empty()) K.assign(static_cast<std::size_t>(n_local + n_extra()) * n_local, 0.0);
       add_pair(facet, k, pair, with_tangent, f, sums, K);
     };
@@ -195,7 +195,7 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
         K[static_cast<std::size_t>(n_local + 4 + I) * n_local + 12 + c] = d_whole[I][24 + c];
       }
     chain_normals(facet, K, n_local);
-    if (!sums.slip.is_null()) store_slip(facet);
+    if (pair_.friction && !sums.slip.is_null()) store_slip(facet);
   }
 
   const double whole = whole_by_node[0] + whole_by_node[1] + whole_by_node[2] + whole_by_node[3],

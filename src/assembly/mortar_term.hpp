@@ -15,7 +15,7 @@ struct ContactCounts {
   long searches = 0;     ///< tree queries for all facets
   long pairs = 0;        ///< facet pairs projected and clipped
   long overlaps = 0;     ///< of these, with an overlap
-  long turned_away = 0;  ///< of these, not facing each other within 80 degrees
+  long turned_away = 0;  ///< of `pairs`, not facing each other within 80 degrees
 };
 
 /// One contact pair on this rank: the secondary facets whose element the rank owns.

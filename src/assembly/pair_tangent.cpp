@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "contact/mortar/overlap_weight.hpp"
+
 namespace mortise {
 namespace {
 
@@ -220,6 +222,62 @@ bool pair_tangent(const PairInput& input, const PairFriction& friction, const st
   store_derivatives<52>(rows, out);
   return true;
 }
+
+PairWeight facing_weight(const PairInput& input) {
+  using Fad = Sacado::Fad::SFad<double, 24>;
+  const auto& x = input.frozen ? input.frozen->x : input.x;
+  const auto& n = input.frozen ? input.frozen->normal : input.normal;
+  PairWeight weight{facing_weight((n[0] + n[1]) + (n[2] + n[3]), std::array<Vec3<double>, 4>{x[4], x[5], x[6], x[7]}), {}};
+  if (input.frozen || weight.value == 0 || weight.value == 1) return weight;
+  std::array<Vec3<Fad>, 4> primary;
+  Vec3<Fad> sum{Fad(0.0), Fad(0.0), Fad(0.0)};
+  for (int k = 0; k < 12; ++k) {
+    primary[k / 3][k % 3] = Fad(24, k, x[4 + k / 3][k % 3]);
+    sum[k % 3] += Fad(24, 12 + k, n[k / 3][k % 3]);
+  }
+  const Fad slopes = facing_weight(sum, primary);
+  for (int k = 0; k < 24; ++k) weight.slope[12 + k] = slopes.fastAccessDx(k);
+  return weight;
+}
+
+namespace {
+
+template <class Tangent>
+void times_nearness(const Tangent& pair, double farthest, bool with_slopes, PairWeight& weight) {
+  using Fad = Sacado::Fad::SFad<double, 1>;
+  const double *c = pair.covered_area, *g = &pair.row[36];
+  const double area = c[0] + c[1] + c[2] + c[3], gap = (g[0] + g[1] + g[2] + g[3]) / area;
+  const Fad nearness = nearness_weight(Fad(1, 0, gap), farthest);
+  for (int k = 0; k < 36 && with_slopes; ++k) {
+    double d_gap = 0;
+    for (int I = 0; I < 4; ++I) d_gap += (pair.d[36 + I][k] - gap * pair.d_area[I][k]) / area;
+    weight.slope[k] = weight.slope[k] * nearness.val() + weight.value * nearness.dx(0) * d_gap;
+  }
+  weight.value *= nearness.val();
+}
+
+template <int n, class Tangent>
+void scale(const PairWeight& weight, bool with_slopes, Tangent& pair) {
+  if (weight.value == 1) return;
+  const double w = weight.value;
+  for (int r = 0; r < n && with_slopes; ++r)
+    for (int k = 0; k < n; ++k) pair.d[r][k] = w * pair.d[r][k] + (k < 36 ? pair.row[r] * weight.slope[k] : 0);
+  for (int I = 0; I < 4 && with_slopes; ++I)
+    for (int k = 0; k < 36; ++k) pair.d_area[I][k] = w * pair.d_area[I][k] + pair.covered_area[I] * weight.slope[k];
+  for (double& row : pair.row) row *= w;
+  for (double& area : pair.covered_area) area *= w;
+}
+
+}  // namespace
+
+void add_nearness(const PairTangent& pair, double farthest, bool with_slopes, PairWeight& weight) {
+  times_nearness(pair, farthest, with_slopes, weight);
+}
+void add_nearness(const FrictionalTangent& pair, double farthest, bool with_slopes, PairWeight& weight) {
+  times_nearness(pair, farthest, with_slopes, weight);
+}
+void weigh(const PairWeight& weight, bool with_slopes, PairTangent& pair) { scale<40>(weight, with_slopes, pair); }
+void weigh(const PairWeight& weight, bool with_slopes, FrictionalTangent& pair) { scale<52>(weight, with_slopes, pair); }
 
 void whole_area_tangent(const PairInput& input, double whole_area[4], double d[4][36]) {
   using Planar = Sacado::Fad::SFad<double, 18>;

@@ -80,6 +80,23 @@ bool pair_values(const PairInput& input, const PairFriction& friction, const std
 bool pair_tangent(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
                   FrictionalTangent& out);
 
+/// What part of a pair's shares counts, and its derivative by the first 36 columns of `PairTangent`.
+struct PairWeight {
+  double value;
+  double slope[36];
+};
+
+/// Weight by how far the facets are turned away from each other, found where D and M are. @see overlap_weight.hpp
+PairWeight facing_weight(const PairInput& input);
+
+/// Times the weight by how far apart they are. @param pair shares, with derivatives if `with_slopes`
+void add_nearness(const PairTangent& pair, double farthest, bool with_slopes, PairWeight& weight);
+void add_nearness(const FrictionalTangent& pair, double farthest, bool with_slopes, PairWeight& weight);
+
+/// Multiplies all shares and areas of a pair with its weight.
+void weigh(const PairWeight& weight, bool with_slopes, PairTangent& pair);
+void weigh(const PairWeight& weight, bool with_slopes, FrictionalTangent& pair);
+
 /// Derivative of  (dn/dx)^T b  with respect to the patch nodes, b held: a symmetric matrix, 3 m x 3 m row-major for m patch
 /// nodes, added to `H`.
 void add_normal_curvature(const NodePatch& patch, const std::vector<Vec3<double>>& x, const Vec3<double>& b,
