@@ -34,8 +34,8 @@ class PairMaker {
       pair.quadrature_degree = o.quadrature_degree;
       pair.closing = o.closing;
       pair.activity = o.activity;
-      if (o.friction_coefficient) {
-        pair.friction = Friction{*o.friction_coefficient, o.tangential_penalty, o.slip};
+      if (o.friction.acts()) {
+        pair.friction = friction_of(o.friction, {"contact", name, o.friction.law()});
         pair.n_unknowns = 4;
       }
       for (const Side& side : secondary->sides) {
@@ -98,6 +98,21 @@ class PairMaker {
       return false;
     }
     return true;
+  }
+
+  Friction friction_of(const FrictionOptions& o, const DeckPath& path) const {
+    const auto placed = [&](const NumberOrFormula& value, const std::vector<std::string>& variables) {
+      using Placed = std::variant<double, PlacedFormula>;
+      if (const double* number = std::get_if<double>(&value)) return Placed(*number);
+      return Placed(names_.formula(std::get<std::string>(value), path, variables));
+    };
+    Friction friction{friction::Coulomb{}, o.tangential_penalty, o.slip_regularisation, o.slip};
+    if (o.bound) {
+      friction.law = friction::Tresca{placed(*o.bound, friction_bound_variables)};
+    } else {
+      friction.law = friction::Coulomb{placed(*o.coefficient, friction_coefficient_variables)};
+    }
+    return friction;
   }
 
   std::array<int, 4> facet_nodes(const Side& side) const {

@@ -116,20 +116,7 @@ void describe(Fields& f, ContactOptions& o) {
       within(4, 8).because("products of two bilinear shape functions have degree 4: a lower rule is not exact even on squares"),
       "-", "polynomial degree integrated exactly on each triangle of a segment");
   describe(f, o.closing);
-  f.optional("friction coefficient", o.friction_coefficient, at_least(0), "-",
-             "Coulomb's: greatest tangential traction over pressure; left out: no friction, and nothing tangential is computed");
-  f.optional(
-      "tangential penalty", o.tangential_penalty, positive, "force/length^3",
-      "stiffness of stick per area, as a spring that is let out at the bound (thesis eqs. 5.123-5.127); left out: exact stick");
-  f.choice(
-      "slip", o.slip,
-      Choices<SlipForm>{{"automatic", SlipForm::automatic}, {"thesis", SlipForm::thesis}, {"moment free", SlipForm::moment_free}},
-      Presence::optional,
-      "how the slip of a step is measured. thesis: motion weighted with the mortar integrals (eq. 5.124). moment free: the same "
-      "without the spin of each pair of facets, with a force that has no moment; objective. automatic: moment free where the "
-      "scheme's forces act within the step, else thesis");
-  f.only_with({"tangential penalty", "slip"}, "friction coefficient", o.friction_coefficient.has_value(),
-              "\"friction coefficient\"");
+  describe(f, o.friction);
   describe(f, o.activity);
 }
 

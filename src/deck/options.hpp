@@ -10,6 +10,7 @@
 #include "assembly/tangent_kind.hpp"
 #include "deck/damping_options.hpp"
 #include "deck/discrete_options.hpp"
+#include "deck/friction_options.hpp"
 #include "deck/initial_options.hpp"
 #include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
@@ -55,13 +56,6 @@ struct BodyOptions {
 enum class ContactMethod { mortar };
 enum class ContactForce { thesis };
 
-/// How the slip of a step is measured.
-enum class SlipForm {
-  automatic,   ///< moment free where forces act within the step, thesis where they act at its end
-  thesis,      ///< motion weighted with the mortar integrals (thesis eq. 5.124)
-  moment_free  ///< the same without the spin of the pair of facets, and a force without moment
-};
-
 struct ContactOptions {
   std::string secondary;
   std::string primary;
@@ -69,9 +63,7 @@ struct ContactOptions {
   ContactForce force = ContactForce::thesis;
   int quadrature_degree = 5;  ///< of the rule on each triangle of a segment
   Closing closing = Closing::position;
-  std::optional<double> friction_coefficient;  ///< none: frictionless
-  std::optional<double> tangential_penalty;    ///< none: exact stick
-  SlipForm slip = SlipForm::automatic;
+  FrictionOptions friction;
   Activity activity;
 };
 

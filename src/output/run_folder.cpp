@@ -82,9 +82,7 @@ std::string forces_and_motions(const Scene& scene) {
 }
 
 std::string in_words(const std::optional<Friction>& friction) {
-  if (!friction) return "frictionless";
-  return fmt::format("Coulomb's friction {:g}, {}", friction->coefficient,
-                     friction->penalty ? fmt::format("stick penalised by {:g}", *friction->penalty) : "exact stick");
+  return friction ? in_words(*friction) : "frictionless";
 }
 
 }  // namespace

@@ -70,6 +70,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     status_ = NOX::StatusTest::Unconverged;
     result_.iterations = iteration;
     if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause + free_bodies_in_words());
+    if (group.isF() && !group.evaluation().fault.empty()) return fail(group.evaluation().fault);
     if (!group.isF() || !group.evaluation().admissible)
       return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
     const Evaluation& e = group.evaluation();
