@@ -70,12 +70,19 @@ class PairMaker {
       std::vector<double> unused;
       pair.primary_size = std::sqrt(facet_areas(pair.primary, primary_nodes, unused) / pair.primary.facets.size());
       pair.youngs_modulus = modulus_behind(*secondary);
-      pair.opposite_compliance = pair.primary_size / modulus_behind(*primary);
+      const double opposite_modulus = modulus_behind(*primary);
+      pair.opposite_compliance = pair.primary_size / opposite_modulus;
       if (pair.size > 3 * pair.primary_size)
         warnings_.push_back(
             fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap "
                         "them for a sharper pressure",
                         name, pair.size, pair.primary_size));
+      constexpr double much_stiffer = 100;
+      if (pair.youngs_modulus > much_stiffer * opposite_modulus && pair.size >= pair.primary_size)
+        warnings_.push_back(
+            fmt::format("contact > {}: the secondary side is much stiffer than the primary side (Young's moduli of {:.3g} and "
+                        "{:.3g}), and not finer - best the softer side is the secondary one",
+                        name, pair.youngs_modulus, opposite_modulus));
       scene_.pairs.push_back(std::move(pair));
     }
   }

@@ -29,12 +29,12 @@ std::string in_words(const friction::Tresca& law) { return "Tresca's friction " 
 
 FrictionCoefficient coefficient_at(const friction::Coulomb& law, double t, double p, double v, double no_speed,
                                    std::string& fault) {
-  if (const double* number = std::get_if<double>(&law.coefficient)) return {*number};
+  if (const double* number = std::get_if<double>(&law.coefficient)) return {*number, *number};
   const PlacedFormula& placed = std::get<PlacedFormula>(law.coefficient);
   const auto mu = [&](double pressure, double speed) { return placed.formula.at({t, pressure, speed}); };
   constexpr double part = 1e-4;
   const double p0 = std::max(p, 0.0);
-  FrictionCoefficient at{mu(p0, v)};
+  FrictionCoefficient at{mu(p0, v), mu(p0, 0)};
   if (!(std::isfinite(at.value) && at.value >= 0) && fault.empty())
     fault = fmt::format("{}gives {} at t = {}, p = {}, v = {} - must be a finite number that is not negative", placed.where,
                         at.value, t, p0, v);

@@ -23,15 +23,18 @@ FrictionState<Fad> seeded(const Vec3<double>& slip, const Vec3<double>& traction
   return at;
 }
 
-Fad bound_of(const friction::Coulomb& law, const FrictionState<Fad>& at, bool, double t, double dt, double size,
-             std::string& fault) {
+/// The bound, and what it is at rest [Pa].
+std::pair<Fad, double> bound_of(const friction::Coulomb& law, const FrictionState<Fad>& at, bool, double t, double dt,
+                                double size, std::string& fault) {
   const double speed = slip_speed(at, dt).val(), no_speed = 1e-4 * size / dt;
-  return coulomb_bound(at, coefficient_at(law, t, at.pressure.val(), speed, no_speed, fault), dt);
+  const FrictionCoefficient mu = coefficient_at(law, t, at.pressure.val(), speed, no_speed, fault);
+  return {coulomb_bound(at, mu, dt), mu.at_rest * at.pressure.val()};
 }
 
-Fad bound_of(const friction::Tresca& law, const FrictionState<Fad>&, bool is_closed, double t, double, double,
-             std::string& fault) {
-  return tresca_bound(bound_at(law, t, fault), is_closed);
+std::pair<Fad, double> bound_of(const friction::Tresca& law, const FrictionState<Fad>&, bool is_closed, double t, double, double,
+                                std::string& fault) {
+  const double bound = tresca_bound(bound_at(law, t, fault), is_closed);
+  return {bound, bound};
 }
 
 }  // namespace
@@ -78,13 +81,14 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
       for (int i = 0; i < 3; ++i) slip[i] = slip_sums[at + 1 + i] / area;
       const auto state = seeded(slip, traction, normals[k], unknowns[at]);
       FrictionStatus status = FrictionStatus::none;
-      const Fad bound =
+      const auto [bound, at_rest] =
           std::visit([&](const auto& of) { return bound_of(of, state, out.closed[multiplier], time_, dt_, pair.size, fault); },
                      friction.law);
-      const Vec3<Fad> law = friction.regularisation ? regularised_slip(state, bound, *friction.regularisation * dt_, status)
-                            : friction.penalty
-                                ? penalised_stick(state, bound, traction_before, normals_before[k], *friction.penalty, status)
-                                : exact_stick(state, bound, complementarity_constant(pair, k, pair.tributary_area[k]), status);
+      const Vec3<Fad> law =
+          friction.regularisation ? regularised_slip(state, bound, *friction.regularisation * dt_, status)
+          : friction.penalty
+              ? penalised_stick(state, bound, traction_before, normals_before[k], *friction.penalty, status)
+              : exact_stick(state, bound, complementarity_constant(pair, k, pair.tributary_area[k]), status, at_rest);
       if (out.closed[multiplier]) out.friction[multiplier] = status;
       const bool is_length = status == FrictionStatus::stick && !friction.penalty;
       for (int i = 0; i < 3; ++i) {

@@ -40,10 +40,10 @@ template <class Fields>
 void describe(Fields& f, FrictionOptions& o) {
   f.number_or_formula(
       "friction coefficient", o.coefficient, at_least(0), friction_coefficient_variables, "-",
-      "Coulomb's: greatest tangential traction over pressure; a formula may use the pressure p at the node, its slip speed v "
-      "(slip "
-      "of the step over its length, in statics too) and the time t at the end of the step. Neither \"friction coefficient\" nor "
-      "\"friction bound\": no friction, and nothing tangential is computed");
+      "Coulomb's: greatest tangential traction over pressure. A formula may use the pressure p at the node, its slip speed v, in "
+      "statics too the slip of the step over its length, and the time t at the end of the step; its value must be finite and not "
+      "negative, at p = 0 and v = 0 too. Neither \"friction coefficient\" nor \"friction bound\": no friction, and nothing "
+      "tangential is computed");
   f.number_or_formula("friction bound", o.bound, at_least(0), friction_bound_variables, "force/length^2",
                       "Tresca's: greatest tangential traction wherever surfaces touch, whatever the pressure");
   f.rule("D19", {"friction bound", "friction coefficient"}, !o.bound || !o.coefficient,
