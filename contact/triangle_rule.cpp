@@ -17,6 +17,13 @@ void add_6(std::vector<TrianglePoint>& rule, double weight, double a, double b) 
               {{a, b, c, weight}, {b, c, a, weight}, {c, a, b, weight}, {a, c, b, weight}, {c, b, a, weight}, {b, a, c, weight}});
 }
 
+// Thesis Tab. 4.1.
+std::vector<TrianglePoint> degree_3() {
+  std::vector<TrianglePoint> rule{{1.0 / 3, 1.0 / 3, 1.0 / 3, -27.0 / 48}};
+  add_3(rule, 25.0 / 48, 0.2);
+  return rule;
+}
+
 std::vector<TrianglePoint> degree_4() {
   std::vector<TrianglePoint> rule;
   add_3(rule, 0.22338158967801146570, 0.44594849091596488632);
@@ -52,9 +59,9 @@ std::vector<TrianglePoint> degree_8() {
 }  // namespace
 
 const std::vector<TrianglePoint>& triangle_rule(int degree) {
-  static const std::vector<TrianglePoint> rules[] = {degree_4(), degree_5(), degree_6(), degree_8()};
-  assert(degree >= 4 && degree <= 8);
-  return rules[degree <= 6 ? degree - 4 : 3];
+  static const std::vector<TrianglePoint> rules[] = {degree_3(), degree_4(), degree_5(), degree_6(), degree_8()};
+  assert(degree >= 3 && degree <= 8);
+  return rules[degree <= 6 ? degree - 3 : 4];
 }
 
 }  // namespace mortise

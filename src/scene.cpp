@@ -14,6 +14,7 @@
 #include "make_obstacles.hpp"
 #include "make_pairs.hpp"
 #include "make_start.hpp"
+#include "make_ties.hpp"
 #include "mesh/suspicions.hpp"
 #include "sha256.hpp"
 
@@ -54,6 +55,7 @@ class SceneMaker {
     make_loads(names_, scene_);
     set_scales();
     make_pairs(names_, scene_, mesh_errors_, warnings_);
+    make_ties(names_, scene_, mesh_errors_, warnings_);
     make_obstacles(names_, scene_);
     add_stops(scene_);
     make_start(names_, scene_);
@@ -184,6 +186,14 @@ bool Scene::has_friction() const {
 }
 
 std::vector<const ContactNodes*> Scene::contacts() const {
+  std::vector<const ContactNodes*> all;
+  for (const auto& pair : pairs) all.push_back(&pair);
+  for (const auto& tie : ties) all.push_back(&tie);
+  for (const auto& obstacle : obstacles) all.push_back(&obstacle);
+  return all;
+}
+
+std::vector<const ContactNodes*> Scene::contacts_with_pressures() const {
   std::vector<const ContactNodes*> all;
   for (const auto& pair : pairs) all.push_back(&pair);
   for (const auto& obstacle : obstacles) all.push_back(&obstacle);

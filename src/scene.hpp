@@ -55,29 +55,57 @@ struct String {
   std::optional<InitialOptions> initial;
 };
 
-/// Nodes that something keeps where they may be: each has a pressure.
+/// Nodes that something keeps where they may be: each has a pressure, or a traction.
 struct ContactNodes {
   std::string name;
   std::string where_penetrating;  ///< start of the message about nodes inside: the entry's place in the deck
   Activity activity;
   Closing closing = Closing::position;
+  Enforcement enforcement = Enforcement::multipliers;
+  double penalty = 0;              ///< of the gap, where enforcement has one [Pa/m]
+  double largest_penetration = 0;  ///< with which an augmented Lagrangian is content [m]
+  Complementarity function = Complementarity::minimum;
   bool is_two_sided = false;           ///< held in both directions: never open
   std::vector<int> secondary_nodes;    ///< ascending; node k carries multiplier `first_multiplier + k`
   std::vector<double> tributary_area;  ///< reference area of each of them [m^2]
   int first_multiplier = 0;
-  int n_unknowns = 1;              ///< of each of them: the pressure; 4 with friction: and the tangential traction
+  int n_unknowns = 1;              ///< of each of them: the pressure; 4 with friction: and the tangential traction; 3: a traction
   double size = 0;                 ///< edge of the facets round the nodes [m]
   double youngs_modulus = 0;       ///< of the body behind them [Pa]
   double opposite_compliance = 0;  ///< size / Young's modulus of the other side, 0 if that is rigid [m/Pa]
 };
 
-/// Two surfaces that may meet. The size is the square root of the mean area of the secondary facets.
-struct ContactPair : ContactNodes {
+/// Two surfaces opposite each other. The size is the square root of the mean area of the secondary facets.
+struct OppositeSurfaces : ContactNodes {
   ContactSurface secondary, primary;
   std::vector<int> secondary_elements;  ///< the element behind each secondary facet
   int quadrature_degree = 0;
-  double primary_size = 0;           ///< as `size`, of the primary side
-  std::optional<Friction> friction;  ///< none: nothing tangential exists
+  double primary_size = 0;  ///< as `size`, of the primary side
+};
+
+/// Two surfaces that may meet.
+struct ContactPair : OppositeSurfaces {
+  ContactForce force = ContactForce::thesis;
+  bool has_frozen_integrals = false;  ///< D and M are those of the start of a step
+  std::optional<Friction> friction;   ///< none: nothing tangential exists
+};
+
+/// What ties one secondary facet to what lies opposite it: integrals over the reference configuration, which no step changes.
+struct TieFacet {
+  int index;                               ///< in `secondary.facets`
+  std::vector<int> primary_nodes;          ///< in the order of their first facet
+  std::array<std::array<double, 4>, 4> D;  ///< int N_I N_J dA [m^2]
+  std::vector<std::array<double, 4>> M;    ///< int N_I N_K dA, per primary node K [m^2]
+  std::array<double, 4> area;              ///< int N_I dA over the overlap [m^2]
+};
+
+/// Two surfaces that stay together as they lie in the reference configuration: three unknowns per node, a traction (thesis
+/// section 4.2.1).
+struct Tie : OppositeSurfaces {
+  TieForm form;
+  std::vector<TieFacet> facets;  ///< those that something lies opposite
+  std::vector<char> is_tied;     ///< per secondary node: it lies in one of them
+  int n_pairs = 0;               ///< pairs of facets that were projected and clipped, once for all
 };
 
 /// A rigid thing that nodes may touch, or (two-sided) stay on.
@@ -121,6 +149,7 @@ struct Scene {
   std::vector<NodeSpring> node_springs;
   std::vector<Load> loads;
   std::vector<ContactPair> pairs;
+  std::vector<Tie> ties;
   std::vector<Obstacle> obstacles;
   int n_multipliers = 0;
   /// Of each element, counted over all bodies: where its pressures begin among those of all elements, and at the end their
@@ -142,8 +171,11 @@ struct Scene {
   double end() const { return stages.back().time.end; }
   bool has_inertia() const;  ///< in any stage
 
-  /// Pairs, then obstacles: all that has multipliers, in their order.
+  /// Pairs, ties, obstacles: all that has multipliers, in the order of terms.
   std::vector<const ContactNodes*> contacts() const;
+
+  /// Of these what has pressures: pairs and obstacles.
+  std::vector<const ContactNodes*> contacts_with_pressures() const;
 
   int n_element_pressures() const { return first_pressure.empty() ? 0 : first_pressure.back(); }
   /// The point that carries pressure `m` of element `e` (see DofSpace).

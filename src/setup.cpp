@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "assembly/rigid_modes.hpp"
 #include "assembly/vectors.hpp"
 #include "errors.hpp"
@@ -11,8 +13,11 @@ namespace {
 
 std::vector<int> contact_elements(const Scene& scene) {
   std::vector<int> elements;
-  for (const auto& pair : scene.pairs)
+  const auto append = [&](const OppositeSurfaces& pair) {
     elements.insert(elements.end(), pair.secondary_elements.begin(), pair.secondary_elements.end());
+  };
+  std::for_each(scene.pairs.begin(), scene.pairs.end(), append);
+  std::for_each(scene.ties.begin(), scene.ties.end(), append);
   return elements;
 }
 

@@ -21,4 +21,14 @@ T complementarity(const T& p, const T& g, double c, double round_off = 0) {
   return is_closed(p, g, c, round_off) ? T(c * g) : p;
 }
 
+/// The same conditions as  g + p/c - sqrt(g^2 + (p/c)^2) = 0 (Fischer 1992): smooth but where both vanish, and there one of its
+/// generalised derivatives is taken. A length.
+template <class T>
+T fischer_burmeister(const T& p, const T& g, double c) {
+  using std::sqrt;
+  const T r = p / c;
+  const T squares = g * g + r * r;
+  return value(squares) > 0 ? T(g + r - sqrt(squares)) : T(g + r);
+}
+
 }  // namespace mortise

@@ -38,4 +38,27 @@ PairShares<T> pair_shares(const std::array<Vec3<T>, 8>& x, const std::array<Vec3
   return out;
 }
 
+/// Turns the shares into those of the reading `interpolated normal`: the weighted gap counts along the interpolated nodal normal,
+///   g_I = int N_I n_h . (x2_h - x1_h) da,   n_h = N_J n_J / |N_J n_J|  (Popp, Gitterle, Gee & Wall 2010),
+/// and nothing acts on the normals, so that the forces' moment is that of the gap they leave out.
+/// @param y in-plane coordinates as in `over_overlap`, in the same scalar  @param x, n as in `pair_shares`
+template <class T>
+void interpolate_normals(const T* y, const std::array<Vec3<T>, 8>& x, const std::array<Vec3<T>, 4>& n,
+                         const std::vector<TrianglePoint>& rule, PairShares<T>& shares) {
+  for (int I = 0; I < 4; ++I) {
+    shares.n_load[I] = {T(0.0), T(0.0), T(0.0)};
+    shares.weighted_gap[I] = 0.0;
+  }
+  over_overlap(y, rule, [&](const T& weight, const std::array<T, 4>& N1, const std::array<T, 4>& N2) {
+    Vec3<T> jump{T(0.0), T(0.0), T(0.0)}, normal = jump;
+    for (int a = 0; a < 4; ++a)
+      for (int i = 0; i < 3; ++i) {
+        jump[i] += N2[a] * x[4 + a][i] - N1[a] * x[a][i];
+        normal[i] += N1[a] * n[a][i];
+      }
+    const T gap = weight * dot(normal, jump) / norm(normal);
+    for (int I = 0; I < 4; ++I) shares.weighted_gap[I] += N1[I] * gap;
+  });
+}
+
 }  // namespace mortise

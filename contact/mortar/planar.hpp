@@ -51,10 +51,11 @@ bool area_centroid(const Polygon<T>& p, Vec2<T>& centroid) {
   return true;
 }
 
-/// Adds the integrals over one polygon of the overlap, a fan of triangles about its centroid.
-template <class T>
-void add_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad<T>& primary,
-                 const std::vector<TrianglePoint>& rule, MortarIntegrals<T>& sum) {
+/// Calls `at_point(weight, N1, N2)` at each quadrature point of one polygon of the overlap, a fan of triangles about its
+/// centroid: its share of the area, signed, and both facets' shape functions there.
+template <class T, class AtPoint>
+void over_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad<T>& primary,
+                  const std::vector<TrianglePoint>& rule, const AtPoint& at_point) {
   Vec2<T> c;
   if (!area_centroid(polygon, c)) return;
   for (int k = 0; k < polygon.n; ++k) {
@@ -62,25 +63,16 @@ void add_polygon(const Polygon<T>& polygon, const Quad<T>& secondary, const Quad
     const T triangle = 0.5 * cross(Vec2<T>(v - c), Vec2<T>(w - c));  // signed: no root, and slivers cancel instead of adding up
     for (const auto& point : rule) {
       const Vec2<T> x{T(point.b0 * c.x + point.b1 * v.x + point.b2 * w.x), T(point.b0 * c.y + point.b1 * v.y + point.b2 * w.y)};
-      const auto N1 = shape_at(secondary, x);
-      const auto N2 = shape_at(primary, x);
-      for (int I = 0; I < 4; ++I) {
-        const T weighted = point.weight * triangle * N1[I];
-        for (int J = I; J < 4; ++J) sum.D[I][J] += weighted * N1[J];
-        for (int K = 0; K < 4; ++K) sum.M[I][K] += weighted * N2[K];
-      }
+      at_point(T(point.weight * triangle), shape_at(secondary, x), shape_at(primary, x));
     }
   }
 }
 
-/// D and M of a projected pair. Facets with a reflex corner are split; facets without area give zero.
-/// Derivative: exact for T an AD type, except at crossings of nearly parallel edges (see `crossing`).
+/// Calls `at_point` as `over_polygon` over the whole overlap of a projected pair. Facets with a reflex corner are split; facets
+/// without area have no points.
 /// @param y in-plane coordinates [m], x and y of the 4 secondary nodes, then of the 4 primary nodes
-template <class T>
-MortarIntegrals<T> planar_integrals(const T* y, const std::vector<TrianglePoint>& rule) {
-  MortarIntegrals<T> sum;
-  for (int I = 0; I < 4; ++I)
-    for (int J = 0; J < 4; ++J) sum.D[I][J] = sum.M[I][J] = 0.0;
+template <class T, class AtPoint>
+void over_overlap(const T* y, const std::vector<TrianglePoint>& rule, const AtPoint& at_point) {
   Quad<T> secondary, primary;
   for (int a = 0; a < 4; ++a) {
     secondary[a] = {y[2 * a], y[2 * a + 1]};
@@ -91,8 +83,25 @@ MortarIntegrals<T> planar_integrals(const T* y, const std::vector<TrianglePoint>
   for (int s = 0; s < n_subjects; ++s)
     for (int c = 0; c < n_clips; ++c) {
       const auto overlap = clip_polygon(subjects[s], clips[c]);
-      if (overlap.n > 0) add_polygon(overlap, secondary, primary, rule, sum);
+      if (overlap.n > 0) over_polygon(overlap, secondary, primary, rule, at_point);
     }
+}
+
+/// D and M of a projected pair.
+/// Derivative: exact for T an AD type, except at crossings of nearly parallel edges (see `crossing`).
+/// @param y as in `over_overlap`
+template <class T>
+MortarIntegrals<T> planar_integrals(const T* y, const std::vector<TrianglePoint>& rule) {
+  MortarIntegrals<T> sum;
+  for (int I = 0; I < 4; ++I)
+    for (int J = 0; J < 4; ++J) sum.D[I][J] = sum.M[I][J] = 0.0;
+  over_overlap(y, rule, [&sum](const T& weight, const std::array<T, 4>& N1, const std::array<T, 4>& N2) {
+    for (int I = 0; I < 4; ++I) {
+      const T weighted = weight * N1[I];
+      for (int J = I; J < 4; ++J) sum.D[I][J] += weighted * N1[J];
+      for (int K = 0; K < 4; ++K) sum.M[I][K] += weighted * N2[K];
+    }
+  });
   for (int I = 0; I < 4; ++I)
     for (int J = 0; J < I; ++J) sum.D[I][J] = sum.D[J][I];
   return sum;

@@ -40,14 +40,14 @@ class ContactTerm {
   /// Where may what meet what. @param x positions on the overlap @return whether the answer changed
   virtual bool search(const double* x, double reach, double inward) = 0;
 
-  /// A step begins. @param x positions at its start, on the overlap; null between steps
-  virtual void begin_step(const double* x, const TimeScheme& scheme) = 0;
+  /// A step begins. @param x positions at its start, on the overlap; null between steps  @param held what supports hold in it
+  virtual void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) = 0;
 
   virtual void append_cells(std::vector<Cell>& cells) = 0;
 
   /// Evaluates at positions and pressures `x` (overlap). Adds to nodal sums on the overlap, at the pressures' indices: weighted
   /// gap [m^3], covered area and whole area (as if all of the surface were covered) [m^2]; and the contact force to the rows of
-  /// the nodes in `f`.
+  /// the nodes in `f`. What is two-sided does so for each of its unknowns.
   virtual void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) = 0;
 
   /// Adds the tangent; the row of a pressure is  a d(weighted gap) + b d(covered area) + c d(whole area).
@@ -73,6 +73,16 @@ class ContactTerm {
   Vec3<double> position(const double* x, int node) const {
     const double* q = x + dofs_.local(node);
     return {q[0], q[1], q[2]};
+  }
+  /// Averaged unit normals of nodes by their patches.
+  std::vector<Vec3<double>> normals_of(const std::vector<NodePatch>& patches, const double* x) const {
+    std::vector<Vec3<double>> normals;
+    for (const auto& patch : patches) {
+      std::vector<Vec3<double>> positions;
+      for (int node : patch.nodes) positions.push_back(position(x, node));
+      normals.push_back(nodal_normal(patch, positions));
+    }
+    return normals;
   }
   const DofSpace& dofs_;
 

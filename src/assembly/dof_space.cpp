@@ -26,11 +26,13 @@ DofSpace::DofSpace(const Scene& scene, const Partition& partition, const RCP<con
       mine[n_nodes_ + contact->first_multiplier + k] = mine[contact->secondary_nodes[k]];
   for (const auto& spring : scene.node_springs)
     if (spring.to && mine[spring.from]) needed[*spring.to] = 1;
-  for (const auto& pair : scene.pairs) {
+  const auto need = [&](const OppositeSurfaces& pair) {
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k)
       needed[pair.secondary_nodes[k]] = needed[n_nodes_ + pair.first_multiplier + k] = 1;
     for (int node : pair.primary.nodes()) needed[node] = 1;
-  }
+  };
+  std::for_each(scene.pairs.begin(), scene.pairs.end(), need);
+  std::for_each(scene.ties.begin(), scene.ties.end(), need);
 
   if (!scene.first_pressure.empty())
     for (int e = 0; e < n_elements(mesh); ++e)

@@ -10,11 +10,11 @@
 namespace mortise {
 
 /// A point is what carries unknowns: node n is point n (3 unknowns), multiplier k is point n_nodes + k (1 unknown, a pressure; 4
-/// with friction, a pressure and a traction), and after the multipliers come the pressures of mixed elements (1 unknown each),
-/// then augmented springs (2 unknowns each).
-/// Global numbers: in the order of points, so 3 n + i for positions. A rank's *overlap* holds its own points first, then copies
-/// of all points its elements touch, of the far ends of springs that begin at its own nodes, and of all contact-surface points
-/// (first version of ghosting: their positions are on every rank).
+/// with friction, a pressure and a traction; 3 of ties, a traction), and after the multipliers come the pressures of mixed
+/// elements (1 unknown each), then augmented springs (2 unknowns each). Global numbers: in the order of points, so 3 n + i for
+/// positions. A rank's *overlap* holds its own points first, then copies of all points its elements touch, of the far ends of
+/// springs that begin at its own nodes, and of all contact-surface points (first version of ghosting: their positions are on
+/// every rank).
 class DofSpace {
  public:
   DofSpace(const Scene& scene, const Partition& partition, const RCP<const Comm>& comm);

@@ -58,16 +58,6 @@ void MortarTerm::append_cells(std::vector<Cell>& cells) {
   for (const auto& facet : facets_) cells.push_back(facet.points);
 }
 
-std::vector<Vec3<double>> MortarTerm::normals(const double* x) const {
-  std::vector<Vec3<double>> n;
-  for (const auto& patch : patches_) {
-    std::vector<Vec3<double>> positions;
-    for (int node : patch.nodes) positions.push_back(position(x, node));
-    n.push_back(nodal_normal(patch, positions));
-  }
-  return n;
-}
-
 void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) {
   closure_ = 0;
   n_covered_ = 0;
@@ -107,9 +97,10 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalS
   }
 }
 
-void MortarTerm::begin_step(const double* x, const TimeScheme& scheme) {
+void MortarTerm::begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>&) {
   start_ = x;
   scheme_ = scheme;
+  if (x && pair_.has_frozen_integrals) start_normal_ = normals(x);
 }
 
 PairFriction MortarTerm::friction_of(const Facet& facet, std::size_t candidate, const double* x, const PairInput& input) const {
@@ -141,6 +132,14 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
     input.normal[a] = normal_[facet.corner[a]];
     input.pressure[a] = x[dofs_.local(pressure_point(facet.corner[a]))];
   }
+  input.reading = pair_.force;
+  if (pair_.has_frozen_integrals && start_) {
+    input.frozen.emplace();
+    for (int a = 0; a < 4; ++a) {
+      input.frozen->x[a] = position(start_, nodes[a]);
+      input.frozen->normal[a] = start_normal_[facet.corner[a]];
+    }
+  }
   const auto direction_of = [](const Vec3<double>* v) { return cross(v[2] - v[0], v[3] - v[1]); };  // at the centre
   const Vec3<double> facet_normal = (input.normal[0] + input.normal[1]) + (input.normal[2] + input.normal[3]);
 
@@ -154,7 +153,11 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
   PairTangent frictionless;  // neither is filled before it is used
   FrictionalTangent frictional;
   for (std::size_t k = 0; k < facet.candidates.size(); ++k) {
-    for (int a = 0; a < 4; ++a) input.x[4 + a] = position(x, pair_.primary.facets[facet.candidates[k]][a]);
+    for (int a = 0; a < 4; ++a) {
+      const int node = pair_.primary.facets[facet.candidates[k]][a];
+      input.x[4 + a] = position(x, node);
+      if (input.frozen) input.frozen->x[4 + a] = position(start_, node);
+    }
     const Vec3<double> other = direction_of(&input.x[4]);
     ++counts_.pairs;
     constexpr double cos_80 = 0.17364817766693033;

@@ -29,7 +29,7 @@ class MortarTerm : public ContactTerm {
   /// @return whether a list changed
   bool search(const double* x, double reach, double inward) override;
 
-  void begin_step(const double* x, const TimeScheme& scheme) override;
+  void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
 
   /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
   void append_cells(std::vector<Cell>& cells) override;
@@ -44,7 +44,7 @@ class MortarTerm : public ContactTerm {
   void resume_counts(const ContactCounts& counts) { counts_ = counts; }
 
   /// Averaged unit normals of all secondary nodes.
-  std::vector<Vec3<double>> normals(const double* x) const override;
+  std::vector<Vec3<double>> normals(const double* x) const override { return normals_of(patches_, x); }
 
   /// Greatest relative closure error |covered - facet area| / facet area over fully covered facets in the last `integrate`, and
   /// their number.
@@ -93,7 +93,8 @@ class MortarTerm : public ContactTerm {
   std::vector<Vec3<double>> normal_, load_;
   std::vector<std::array<std::vector<Vec3<double>>, 3>> normal_gradient_;  // row i: d n_i / d x of each patch node
   std::vector<std::vector<Vec3<double>>> patch_x_;
-  const double* start_ = nullptr;  // positions and tractions at the start of the step, overlap; null between steps
+  const double* start_ = nullptr;           // positions and tractions at the start of the step, overlap; null between steps
+  std::vector<Vec3<double>> start_normal_;  // nodal normals there, where D and M are those of the start
   TimeScheme scheme_;
   ContactCounts counts_;
   double closure_ = 0;

@@ -1,6 +1,8 @@
 #include "assembly/pair_tangent.hpp"
 
 #include <Sacado.hpp>
+#include <algorithm>
+#include <type_traits>
 
 namespace mortise {
 namespace {
@@ -37,8 +39,19 @@ bool integrals_of(const AuxiliaryPlane& plane, const std::vector<TrianglePoint>&
 
 /// D and M by AD over 16 in-plane coordinates, pulled back to the first 36 of n directions, and the derivative of the areas.
 template <int n, class Output>
-bool integrals_of(const AuxiliaryPlane& plane, const std::vector<TrianglePoint>& rule, Output& out,
+bool integrals_of(const AuxiliaryPlane& plane, bool is_frozen, const std::vector<TrianglePoint>& rule, Output& out,
                   MortarIntegrals<Sacado::Fad::SFad<double, n>>& integrals) {
+  if (is_frozen) {
+    MortarIntegrals<double> constant;
+    for (auto& row : out.d_area) std::fill(std::begin(row), std::end(row), 0.0);
+    if (!integrals_of(plane, rule, out, constant)) return false;
+    for (int I = 0; I < 4; ++I)
+      for (int J = 0; J < 4; ++J) {
+        integrals.D[I][J] = constant.D[I][J];
+        integrals.M[I][J] = constant.M[I][J];
+      }
+    return true;
+  }
   // 18, not 16: GCC unrolls loops of 16 and less completely before it vectorises, which is slower.
   using Planar = Sacado::Fad::SFad<double, 18>;
   using Fad = Sacado::Fad::SFad<double, n>;
@@ -91,6 +104,34 @@ PairVariables<Sacado::Fad::SFad<double, n>> seeded(const PairInput& input, const
   return v;
 }
 
+/// In-plane coordinates as functions of 24 positions and 12 normal components. What D, M and gaps do not notice, the motion of
+/// the centre and the spin of the axes, is left out (see `AuxiliaryPlane::pull_back`).
+template <class T>
+std::array<T, 16> planar_variables(const AuxiliaryPlane& plane, bool is_frozen) {
+  std::array<T, 16> y;
+  for (int k = 0; k < 16; ++k) {
+    y[k] = plane.y[k];
+    if constexpr (!std::is_same_v<T, double>) {
+      if (is_frozen) continue;
+      double unit[16] = {}, slope[36];
+      unit[k] = 1;
+      plane.pull_back(unit, slope);
+      for (int c = 0; c < 36; ++c) y[k].fastAccessDx(c) = slope[c];
+    }
+  }
+  return y;
+}
+
+/// The pair's shares in the reading that the input asks for.
+template <class T>
+PairShares<T> shares_as_read(const PairInput& input, const AuxiliaryPlane& plane, const std::vector<TrianglePoint>& rule,
+                             const PairVariables<T>& v, const MortarIntegrals<T>& integrals) {
+  auto shares = pair_shares(v.x, v.n, v.p, integrals);
+  if (input.reading == ContactForce::interpolated_normal)
+    interpolate_normals(planar_variables<T>(plane, input.frozen.has_value()).data(), v.x, v.n, rule, shares);
+  return shares;
+}
+
 template <int n, class Fad, class Tangent>
 void store_derivatives(const Fad* const rows[n], Tangent& out) {
   for (int r = 0; r < n; ++r) {
@@ -101,7 +142,8 @@ void store_derivatives(const Fad* const rows[n], Tangent& out) {
 
 /// The pair's shares with friction, given its variables and the tractions at the end of the step.
 template <class T>
-std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairFriction& friction, const AuxiliaryPlane& plane,
+std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairInput& input, const PairFriction& friction,
+                                                       const AuxiliaryPlane& plane, const std::vector<TrianglePoint>& rule,
                                                        const PairVariables<T>& v, const std::array<Vec3<T>, 4>& traction,
                                                        const MortarIntegrals<T>& integrals) {
   std::array<Vec3<T>, 8> dx;
@@ -112,7 +154,7 @@ std::pair<PairShares<T>, FrictionShares<T>> all_shares(const PairFriction& frict
   for (int I = 0; I < 4; ++I)
     for (int i = 0; i < 3; ++i)
       acting[I][i] = (1 - friction.traction_theta) * friction.traction_before[I][i] + friction.traction_theta * traction[I][i];
-  auto shares = pair_shares(v.x, v.n, v.p, integrals);
+  auto shares = shares_as_read(input, plane, rule, v, integrals);
   auto of_friction = friction_shares(v.x, dx, v.n, acting, integrals, friction.is_moment_free);
   for (int a = 0; a < 8; ++a) shares.force[a] = shares.force[a] + of_friction.force[a];
   return {shares, of_friction};
@@ -127,10 +169,11 @@ void store_rows(const std::pair<PairShares<T>, FrictionShares<T>>& all, const T*
 }  // namespace
 
 bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule, PairOutput& out) {
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  const auto plane = input.plane();
   MortarIntegrals<double> integrals;
   if (!integrals_of(plane, rule, out, integrals)) return false;
-  const auto shares = pair_shares(relative(input, plane), input.normal, input.pressure, integrals);
+  const PairVariables<double> v{relative(input, plane), input.normal, input.pressure};
+  const auto shares = shares_as_read(input, plane, rule, v, integrals);
   const double* rows[40];
   store_rows(shares, rows);
   for (int r = 0; r < 40; ++r) out.row[r] = *rows[r];
@@ -139,11 +182,11 @@ bool pair_values(const PairInput& input, const std::vector<TrianglePoint>& rule,
 
 bool pair_values(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
                  FrictionalOutput& out) {
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  const auto plane = input.plane();
   MortarIntegrals<double> integrals;
   if (!integrals_of(plane, rule, out, integrals)) return false;
   const PairVariables<double> v{relative(input, plane), input.normal, input.pressure};
-  const auto shares = all_shares(friction, plane, v, friction.traction, integrals);
+  const auto shares = all_shares(input, friction, plane, rule, v, friction.traction, integrals);
   const double* rows[52];
   store_rows(shares, rows);
   for (int r = 0; r < 52; ++r) out.row[r] = *rows[r];
@@ -152,11 +195,11 @@ bool pair_values(const PairInput& input, const PairFriction& friction, const std
 
 bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule, PairTangent& out) {
   using Fad = Sacado::Fad::SFad<double, 40>;
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  const auto plane = input.plane();
   MortarIntegrals<Fad> integrals;
-  if (!integrals_of<40>(plane, rule, out, integrals)) return false;
+  if (!integrals_of<40>(plane, input.frozen.has_value(), rule, out, integrals)) return false;
   const auto v = seeded<40>(input, plane);
-  const auto shares = pair_shares(v.x, v.n, v.p, integrals);
+  const auto shares = shares_as_read(input, plane, rule, v, integrals);
   const Fad* rows[40];
   store_rows(shares, rows);
   store_derivatives<40>(rows, out);
@@ -166,12 +209,12 @@ bool pair_tangent(const PairInput& input, const std::vector<TrianglePoint>& rule
 bool pair_tangent(const PairInput& input, const PairFriction& friction, const std::vector<TrianglePoint>& rule,
                   FrictionalTangent& out) {
   using Fad = Sacado::Fad::SFad<double, 52>;
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  const auto plane = input.plane();
   MortarIntegrals<Fad> integrals;
-  if (!integrals_of<52>(plane, rule, out, integrals)) return false;
+  if (!integrals_of<52>(plane, input.frozen.has_value(), rule, out, integrals)) return false;
   std::array<Vec3<Fad>, 4> traction;
   for (int k = 0; k < 12; ++k) traction[k / 3][k % 3] = Fad(52, 40 + k, friction.traction[k / 3][k % 3]);
-  const auto shares = all_shares(friction, plane, seeded<52>(input, plane), traction, integrals);
+  const auto shares = all_shares(input, friction, plane, rule, seeded<52>(input, plane), traction, integrals);
   const Fad* rows[52];
   store_rows(shares, rows);
   store_derivatives<52>(rows, out);
@@ -180,13 +223,17 @@ bool pair_tangent(const PairInput& input, const PairFriction& friction, const st
 
 void whole_area_tangent(const PairInput& input, double whole_area[4], double d[4][36]) {
   using Planar = Sacado::Fad::SFad<double, 18>;
-  const auto plane = AuxiliaryPlane::project(input.x, input.normal);
+  const auto plane = input.plane();
   Quad<Planar> facet;
   for (int a = 0; a < 4; ++a) facet[a] = {Planar(18, 2 * a, plane.y[2 * a]), Planar(18, 2 * a + 1, plane.y[2 * a + 1])};
   const auto weights = facet_weights(facet);
   for (int a = 0; a < 4; ++a) {
     whole_area[a] = weights[a].val();
-    plane.pull_back(weights[a].dx(), d[a]);
+    if (input.frozen) {
+      std::fill_n(d[a], 36, 0.0);
+    } else {
+      plane.pull_back(weights[a].dx(), d[a]);
+    }
   }
 }
 

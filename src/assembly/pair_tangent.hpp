@@ -1,10 +1,13 @@
 // Seeds Sacado for contact pairs: shares of a facet pair, alone or with their complete derivative.
 #pragma once
 
+#include <optional>
+
 #include "contact/mortar/auxiliary_plane.hpp"
 #include "contact/mortar/nodal_normal.hpp"
 #include "contact/mortar/pair_friction.hpp"
 #include "contact/mortar/pair_residual.hpp"
+#include "contact/mortar/readings.hpp"
 
 namespace mortise {
 
@@ -18,11 +21,23 @@ struct PairFriction {
   bool is_moment_free;
 };
 
+/// Where D and M of a pair are found, if not where it stands now.
+struct FrozenPlace {
+  std::array<Vec3<double>, 8> x;
+  std::array<Vec3<double>, 4> normal;
+};
+
 /// Everything a pair depends on.
 struct PairInput {
   std::array<Vec3<double>, 8> x;       ///< 4 secondary nodes, 4 primary nodes [m]
   std::array<Vec3<double>, 4> normal;  ///< unit nodal normals
   std::array<double, 4> pressure;      ///< nodal pressures [Pa]
+  ContactForce reading = ContactForce::thesis;
+  std::optional<FrozenPlace> frozen;  ///< D and M are those of this place, and do not change (thesis Remark 11)
+
+  AuxiliaryPlane plane() const {
+    return frozen ? AuxiliaryPlane::project(frozen->x, frozen->normal) : AuxiliaryPlane::project(x, normal);
+  }
 };
 
 /// Shares of a pair by value. Rows in the order of `PairShares`: 24 forces, 12 normal loads, 4 weighted gaps.

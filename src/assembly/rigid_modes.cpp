@@ -131,6 +131,16 @@ std::vector<FreeBody> free_bodies(const Scene& scene, const std::vector<char>& c
       add_row();
     }
   }
+  for (const auto& tie : scene.ties)
+    for (std::size_t k = 0; k < tie.secondary_nodes.size() && tie.activity.acts_after(from); ++k)
+      for (int axis = 0; axis < 3 && tie.is_tied[k]; ++axis) {
+        Vec3<double> d{};
+        d[axis] = 1;
+        const Point& at = X[tie.secondary_nodes[k]];
+        add_motion(body_of(scene, tie.secondary_nodes[k]), at, d, 1);
+        add_motion(body_of(scene, tie.primary.facets[0][0]), at, d, -1);
+        add_row();
+      }
   for (const auto& obstacle : scene.obstacles)
     for (std::size_t k = 0; k < obstacle.secondary_nodes.size(); ++k) {
       const std::size_t multiplier = obstacle.first_multiplier + k;

@@ -1,6 +1,7 @@
 // The contact side of a step's equations: the law of every secondary node, its constants, and how contact starts.
 #include <fmt/format.h>
 
+#include <Sacado.hpp>
 #include <algorithm>
 #include <cmath>
 
@@ -37,6 +38,11 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       const int point = contact->pressure_point(k);
       if (!dofs_.owned(point)) continue;
       const int at = dofs_.local(point), multiplier = nodes.first_multiplier + static_cast<int>(k);
+      if (nodes.is_two_sided) {
+        for (int row = at; row < at + nodes.n_unknowns; ++row)
+          law_of_two_sided(row, nodes.tributary_area[k], pressure[row], out, rows);
+        continue;
+      }
       const bool is_covered = area[at] > 1e-10 * nodes.tributary_area[k];
       const double weighted_gap = gap[at];
       gap[at] = is_covered ? weighted_gap / area[at] : 0;
@@ -47,21 +53,17 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
         out.pressure_residual = std::max(out.pressure_residual, std::abs(pressure[at]));
         continue;
       }
-      closing_gap[at] = (weighted_gap - *start) / area[at];
+      const double mean_gap = (weighted_gap - *start) / area[at];
+      closing_gap[at] = mean_gap - gap_of_pressure_before(nodes, at);
       // mean gap = weighted gap / area: where little is covered, both change quickly and their quotient does not
       d_gap[at] = 1 / area[at];
-      d_covered[at] = -closing_gap[at] / area[at];
-      if (nodes.is_two_sided) {
-        residual[at] = closing_gap[at];
-        out.gap_residual = std::max(out.gap_residual, std::abs(residual[at]));
-        out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
-        continue;
-      }
+      d_covered[at] = -mean_gap / area[at];
+      if (nodes.penalty > 0) compliance[at] = 1 / nodes.penalty;
       out.covered[multiplier] = 1;
       const double lacking = whole[at] / area[at] - 1 - 1e-6;  // quadrature on warped facets leaves 1e-7 where all is covered
       if (lacking > 0) {
         const double factor = yielding(nodes);
-        compliance[at] = factor * lacking * lacking;
+        compliance[at] += factor * lacking * lacking;
         d_covered[at] -= 2 * factor * lacking * pressure[at] * whole[at] / (area[at] * area[at]);
         d_whole[at] = 2 * factor * lacking * pressure[at] / area[at];
       }
@@ -69,12 +71,24 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       const double round_off = scene_.pressure_floor(), law = complementarity(pressure[at], closing_gap[at], c, round_off);
       const bool closed = is_closed(pressure[at], closing_gap[at], c, round_off);
       out.closed[multiplier] = closed;
-      if (closed && compliance[at] > 0) partly_covered.push_back(multiplier);
+      if (closed && lacking > 0) partly_covered.push_back(multiplier);
+      if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
+      if (nodes.function == Complementarity::fischer_burmeister) {
+        // Newton's method takes these rows as they are: no set to settle.
+        out.covered[multiplier] = 0;
+        using Fad = Sacado::Fad::SFad<double, 2>;
+        const Fad p(2, 0, pressure[at]), g(2, 1, closing_gap[at] + compliance[at] * pressure[at]),
+            r = fischer_burmeister(p, g, complementarity_constant(nodes, k, nodes.tributary_area[k]));
+        residual[at] = r.val();
+        for (double* factor : {d_gap, d_covered, d_whole}) factor[at] *= r.dx(1);
+        compliance[at] = r.dx(0) + r.dx(1) * compliance[at];
+        out.gap_residual = std::max(out.gap_residual, std::abs(residual[at]));
+        continue;
+      }
       // The law over c where closed, an equation between lengths that may yield; the pressure itself where open.
       residual[at] = closed ? law / c + compliance[at] * pressure[at] : law;
       double& greatest = closed ? out.gap_residual : out.pressure_residual;
       greatest = std::max(greatest, std::abs(residual[at]));
-      if (closed) out.pressure_scale = std::max(out.pressure_scale, std::abs(pressure[at]));
     }
   }
   out.n_partly_covered = all_reduced(*dofs_.comm(), Teuchos::REDUCE_SUM, static_cast<int>(partly_covered.size()));
@@ -84,6 +98,50 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
   std::vector<int> all(out.closed.begin(), out.closed.end());
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_MAX, all);
   for (std::size_t k = 0; k < all.size(); ++k) out.n_closed += out.closed[k] = static_cast<char>(all[k]);
+}
+
+// The gap [m] of an augmented Lagrangian at which its spring bears the pressure found before.
+double StepProblem::gap_of_pressure_before(const ContactNodes& nodes, int at) const {
+  const bool is_augmented = nodes.enforcement == Enforcement::augmented_lagrangian && !pressure_before_.is_null();
+  return is_augmented ? std::max(0.0, data(static_cast<const Vector&>(*pressure_before_))[at]) / nodes.penalty : 0;
+}
+
+// Once more with the pressures found, if the spring of a closed node still bears more than its contact allows.
+std::optional<double> StepProblem::augment(const Vector& x, const Evaluation& at) {
+  const double *pressure = data(x), *before = data(*pressure_before_);
+  double excess = 0;
+  for (const auto& contact : contacts_) {
+    const ContactNodes& nodes = contact->nodes();
+    if (nodes.enforcement != Enforcement::augmented_lagrangian) continue;
+    for (std::size_t k = 0; k < nodes.secondary_nodes.size(); ++k) {
+      const int point = contact->pressure_point(k), row = dofs_.local(point);
+      if (!dofs_.owned(point) || !at.closed[nodes.first_multiplier + k]) continue;
+      const double pushed_in = std::abs(pressure[row] - std::max(0.0, before[row])) / nodes.penalty;
+      excess = std::max(excess, pushed_in / nodes.largest_penetration);
+    }
+  }
+  excess = all_reduced(*dofs_.comm(), Teuchos::REDUCE_MAX, excess);
+  if (excess <= 1) return std::nullopt;
+  pressure_before_ = Teuchos::rcp(new Vector(x, Teuchos::Copy));
+  return excess;
+}
+
+// What is held in both directions has no gap, whatever pushes or pulls; where nothing is opposite, no force.
+void StepProblem::law_of_two_sided(int row, double tributary_area, double force, Evaluation& out, LawRows& rows) {
+  double *gap = data(*out.gap), *residual = data(*out.residual);
+  const double area = data(static_cast<const Vector&>(*out.area))[row];
+  if (!(area > 1e-10 * tributary_area)) {
+    gap[row] = 0;
+    identity_rows_[row] = 1;
+    residual[row] = force;
+    out.pressure_residual = std::max(out.pressure_residual, std::abs(force));
+    return;
+  }
+  gap[row] /= area;
+  data(*out.closing_gap)[row] = residual[row] = gap[row];
+  data(rows.gap)[row] = 1 / area;
+  out.gap_residual = std::max(out.gap_residual, std::abs(gap[row]));
+  out.pressure_scale = std::max(out.pressure_scale, std::abs(force));
 }
 
 // The weighted gap [m^3] from which a covered node's closing counts in this step; nothing: the node is not in contact in it.

@@ -16,6 +16,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
   dt_ = t - from.time;
   acting_time_ = dt_ > 0 ? t : just_after(t);
   start_x_ = to_overlap(*from.x);
+  pressure_before_ = from.x;
   if (!from.search.x.is_null() && from.search.x != search_.x) search_at(from.search);
   scheme_ = dt_ > 0 ? stage().scheme : stage().scheme.at_rest();
   kinematics_ = scheme_.kinematics(dt_);
@@ -28,7 +29,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
   for (auto& follower : followers_) follower.set_time(acting_time_, t_force, fault);
   for (const auto& term : pairs_)
     if (dt_ > 0 && term->pair().friction && acts(*term)) check(*term->pair().friction, t, fault);
-  for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_);
+  for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_, *acting_);
   find_gaps_before(*from.x);
   return agreed(*dofs_.comm(), fault);
 }
@@ -178,7 +179,7 @@ RCP<Vector> StepProblem::force_from_ground(const Vector& x) {
         spring.add_force(scheme_, data(*start_x_), data(*overlap_x), data(of_step));
     force->update(1.0, *owned_sum(of_step), 1.0);
   }
-  force->update(1.0, *contact_force_of(overlap_x, pairs_.size(), contacts_.size(), true), 1.0);
+  force->update(1.0, *contact_force_of(overlap_x, contacts_.size() - scene_.obstacles.size(), contacts_.size(), true), 1.0);
   return force;
 }
 

@@ -32,6 +32,7 @@ StepProblem::StepProblem(const Scene& scene, const Partition& partition, const R
     pairs_.push_back(term.get());
     contacts_.push_back(std::move(term));
   }
+  for (const auto& tie : scene.ties) contacts_.push_back(std::make_unique<TieTerm>(scene, tie, partition, dofs_));
   for (const auto& obstacle : scene.obstacles) contacts_.push_back(std::make_unique<ObstacleTerm>(scene, obstacle, dofs_));
   for (const auto& load : scene.loads)
     if (load.follows()) followers_.emplace_back(scene, load, partition, dofs_);

@@ -14,6 +14,7 @@
 #include "assembly/obstacle_term.hpp"
 #include "assembly/spring_term.hpp"
 #include "assembly/stretch_term.hpp"
+#include "assembly/tie_term.hpp"
 #include "contact/laws/coulomb.hpp"
 
 namespace mortise {
@@ -142,6 +143,10 @@ class StepProblem {
   /// the active set chooses (`find_direction`). The matrix belongs to the problem and holds until the next call.
   Evaluation linearise(const Vector& x, RCP<Matrix>& tangent);
 
+  /// Begins the step once more with the pressures of its solution `x`, where an augmented Lagrangian has not closed the gaps far
+  /// enough. Collective. @return the greatest |gap| of a closed node over what its contact allows, > 1; nothing: the step stands
+  std::optional<double> augment(const Vector& x, const Evaluation& at);
+
   /// Unknowns whose row is the identity after an evaluation: supported components and uncovered pressures. On the owned map, 1 or
   /// 0.
   const std::vector<char>& identity_rows() const { return identity_rows_; }
@@ -241,8 +246,10 @@ class StepProblem {
     Vector gap, covered, whole;
   };
   void law(const Vector& x, const Vector& whole_area, Evaluation& out, LawRows& rows);
+  void law_of_two_sided(int row, double tributary_area, double force, Evaluation& out, LawRows& rows);
   void friction_law(const Vector& x, const RCP<Vector>& overlap_x, const Vector& slips, Evaluation& out, FrictionRows& rows);
   void find_normal_stiffness();
+  double gap_of_pressure_before(const ContactNodes& nodes, int at) const;
   double complementarity_constant(const ContactNodes& nodes, std::size_t k, double covered_area) const;
   bool acts(const ContactTerm& contact) const { return contact.nodes().activity.acts_at(acting_time_) || dt_ == 0; }
   std::optional<double> start_of_closing(const ContactNodes& nodes, std::size_t k, int at, double pressure) const;
@@ -286,6 +293,7 @@ class StepProblem {
   RCP<Vector> dead_;                                // owned: force of the dead loads at time_
   // Per multiplier, owned by this rank or 0: see complementarity_constant.
   std::vector<double> normal_stiffness_, normal_mass_;  // [N/m], [kg]
+  RCP<const Vector> pressure_before_;                   // owned, what augmented Lagrangians start from; null: from nothing
   RCP<Vector> start_gap_, start_area_;  // weighted gaps [m^3] and covered areas [m^2] at the start of the step, where needed
   std::vector<char> identity_rows_;
   /// The row of a constraint that this rank owns, of an element's pressure or a spring's multiplier: what it is measured by, and

@@ -176,31 +176,37 @@ class CrossChecks {
   void check_contact_names(const std::string& list, const Named<Options>& entries, std::set<std::string>& taken) {
     for (const auto& entry : entries)
       if (!taken.insert(entry.first).second)
-        report("D11", {list, entry.first}, "this name is taken by an entry of `contact`, `obstacles` or `rods` already");
+        report("D11", {list, entry.first}, "this name is taken by an entry of `contact`, `ties`, `obstacles` or `rods` already");
   }
 
   void check_contact() {
     const std::vector<std::string> pairs = names_in(options_.contact);
     std::set<std::string> taken(pairs.begin(), pairs.end());
+    check_contact_names("ties", options_.ties, taken);
     check_contact_names("obstacles", options_.obstacles, taken);
     check_contact_names("rods", options_.rods, taken);
     for (const auto& [name, pair] : options_.contact) {
       if (pair.friction.acts() && options_.solver.linear == LinearSolverKind::iterative)
         report("D19", {"solver", "linear"},
                "cannot be \"iterative\" with friction (contact > " + in_quotes(name) + "): take \"direct\"");
-      check_set(pair.secondary, {"contact", name, "secondary"});
-      check_set(pair.primary, {"contact", name, "primary"});
-      if (!pair.primary.empty() && pair.primary == pair.secondary) {
-        report("D19", {"contact", name, "primary"}, "is the secondary surface too; a pair needs two surfaces");
-      }
+      check_surfaces("contact", name, pair);
     }
+    for (const auto& [name, tie] : options_.ties) check_surfaces("ties", name, tie);
+  }
+
+  template <class Options>
+  void check_surfaces(const std::string& list, const std::string& name, const Options& pair) {
+    check_set(pair.secondary, {list, name, "secondary"});
+    check_set(pair.primary, {list, name, "primary"});
+    if (!pair.primary.empty() && pair.primary == pair.secondary)
+      report("D19", {list, name, "primary"}, "is the secondary surface too; a pair needs two surfaces");
   }
 
   /// Expected columns of the form quantity.entry must name an entry of the deck.
   void check_quantities() {
     std::map<std::string, std::vector<std::string>> entries;
     for (const char* axis : {"x", "y", "z"}) {
-      entries[std::string("contact_force_") + axis] = contact_names(options_);
+      entries[std::string("contact_force_") + axis] = force_names(options_);
       std::vector<std::string>& supports = entries[std::string("reaction_") + axis] = names_in(options_.supports);
       for (const std::string& name : plane_strain_supports(options_)) supports.push_back(name);
     }
@@ -308,6 +314,8 @@ class CrossChecks {
         return options_.supports.empty() ? "the deck has no supports" : "";
       case FieldNeed::contact:
         return contact_names(options_).empty() ? "the deck has no contact" : "";
+      case FieldNeed::ties:
+        return options_.ties.empty() ? "the deck has no ties" : "";
     }
     return "";
   }

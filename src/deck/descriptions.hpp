@@ -108,15 +108,70 @@ void describe(Fields& f, ContactOptions& o) {
            "where "
            "a node is partly covered a closed gap yields by 1e-6 (h/E of both sides) (whole area / covered area - 1)^2 pressure; "
            "facets further apart than one facet do not count");
-  f.choice("contact force", o.force, Choices<ContactForce>{{"thesis", ContactForce::thesis}}, Presence::optional,
+  f.choice("contact force", o.force,
+           Choices<ContactForce>{{"thesis", ContactForce::thesis}, {"interpolated normal", ContactForce::interpolated_normal}},
+           Presence::optional,
            "thesis: the variation of the weighted gap with the mortar weights held and the normal varied (eq. 4.123); "
-           "conserves both momenta");
-  f.optional(
-      "quadrature degree", o.quadrature_degree,
-      within(4, 8).because("products of two bilinear shape functions have degree 4: a lower rule is not exact even on squares"),
-      "-", "polynomial degree integrated exactly on each triangle of a segment");
+           "conserves both momenta. interpolated normal: pressures act along the nodal normals, gaps count along the normal "
+           "interpolated between them, as other codes have it; conserves linear momentum");
+  f.choice("mortar integrals", o.has_frozen_integrals, Choices<bool>{{"current", false}, {"start of step", true}},
+           Presence::optional,
+           "where segments, D and M are found. current: where the surfaces are, with the complete tangent. start of step: where "
+           "they were, frozen over the step (Remark 11); cheaper, and first order in the sliding of a step");
+  f.optional("quadrature degree", o.quadrature_degree,
+             within(3, 8).because("products of two bilinear shape functions have degree 4; 3 is the 4-point rule of the thesis, "
+                                  "not exact even on squares"),
+             "-", "polynomial degree integrated exactly on each triangle of a segment");
+  f.choice("enforcement", o.enforcement,
+           Choices<Enforcement>{{"multipliers", Enforcement::multipliers},
+                                {"penalty", Enforcement::penalty},
+                                {"augmented lagrangian", Enforcement::augmented_lagrangian}},
+           Presence::optional,
+           "multipliers: no penetration. penalty: pressure = \"normal penalty\" x penetration. augmented lagrangian: the same, "
+           "begun again from the pressures found until no node is deeper than \"largest penetration\"");
+  f.optional("normal penalty", o.normal_penalty, positive, "force/length^3", "pressure per penetration");
+  f.optional("largest penetration", o.largest_penetration, positive, "length",
+             "of closed nodes in an accepted step, in the mean over the overlap; default: 1e-6 of the facet size");
+  f.only_with({"normal penalty"}, "enforcement", o.enforcement != Enforcement::multipliers,
+              "\"enforcement\" = \"penalty\" or \"augmented lagrangian\"");
+  f.rule("D07", {"enforcement"}, o.enforcement == Enforcement::multipliers || o.normal_penalty.has_value(),
+         "needs \"normal penalty\"");
+  f.only_with({"largest penetration"}, "enforcement", o.enforcement == Enforcement::augmented_lagrangian,
+              "\"enforcement\" = \"augmented lagrangian\"");
+  f.choice("complementarity", o.function,
+           Choices<Complementarity>{{"minimum", Complementarity::minimum},
+                                    {"fischer burmeister", Complementarity::fischer_burmeister}},
+           Presence::optional,
+           "which equation joins gap and pressure. minimum: the active set, settled within each iteration. fischer burmeister: "
+           "a smooth function with the same roots, for comparison");
   describe(f, o.closing);
   describe(f, o.friction);
+  f.rule("D19", {"complementarity", o.friction.law()}, o.function == Complementarity::minimum || !o.friction.acts(),
+         "cannot be \"fischer burmeister\" with friction, which asks for the active set");
+  describe(f, o.activity);
+}
+
+template <class Fields>
+void describe(Fields& f, TieOptions& o) {
+  f.required("secondary", o.secondary, anything, "",
+             "mesh name / side set that carries the tractions; best the finer one. At its nodes that a support holds beside free "
+             "ones of the same surface the support alone acts");
+  f.required("primary", o.primary, anything, "", "mesh name / side set on the other side");
+  f.choice(
+      "form", o.form,
+      Choices<TieForm>{
+          {"automatic", TieForm::automatic}, {"frame invariant", TieForm::frame_invariant}, {"plain", TieForm::plain}},
+      Presence::optional,
+      "what stays as it was in the reference configuration, in the mean over the overlap. plain: the gap in space (eq. 4.97); "
+      "linear, does no work, and keeps both momenta where the surfaces fit; where they do not it holds the gap against "
+      "turning. frame invariant: the gap seen from each secondary facet, which may turn (eq. 4.98); keeps both momenta. "
+      "automatic: plain where the surfaces fit, else frame invariant");
+  f.optional("quadrature degree", o.quadrature_degree,
+             within(3, 8).because("products of two bilinear shape functions have degree 4; 3 is the thesis' 4-point rule"), "-",
+             "polynomial degree integrated exactly on each triangle of a segment");
+  f.optional("largest gap", o.largest_gap, positive, "length",
+             "surfaces further apart, in the mean over a pair of facets, are not tied; default: a quarter of the greater edge of "
+             "both sides' facets");
   describe(f, o.activity);
 }
 
@@ -159,9 +214,10 @@ void describe(Fields& f, TimeOptions& o) {
 template <class Fields>
 void describe(Fields& f, StageOptions& o) {
   describe(f, static_cast<TimeOptions&>(o));
-  f.optional("without", o.without, anything, "",
-             "entries of `supports`, `springs`, `loads`, `contact`, `obstacles` and `rods` that do not act in this stage, each "
-             "written list/name, as loads/gravity; all others do");
+  f.optional(
+      "without", o.without, anything, "",
+      "entries of `supports`, `springs`, `loads`, `contact`, `ties`, `obstacles` and `rods` that do not act in this stage, each "
+      "written list/name, as loads/gravity; all others do");
 }
 
 template <class Fields>
@@ -254,6 +310,8 @@ void describe(Fields& f, DeckOptions& o) {
   f.named("springs", o.springs, Presence::optional, "springs to the ground, and between points");
   f.named("loads", o.loads, Presence::optional, "forces on surfaces, bodies and nodes");
   f.named("contact", o.contact, Presence::optional, "pairs of surfaces that may touch; without friction unless they say so");
+  f.named("ties", o.ties, Presence::optional,
+          "pairs of surfaces that stay together as they lie at first, whatever their meshes (mesh tying)");
   f.named("obstacles", o.obstacles, Presence::optional,
           "rigid things that nodes may not enter; a node's pressure is its force over its share of the sides of the set, "
           "or, with a node set, over the square of the smallest element size");

@@ -26,9 +26,14 @@ inline std::vector<std::string> moving_names(const DeckOptions& options) {
   return names_in_all(options.bodies, options.masses, options.strings);
 }
 
-/// All that has a contact force: the history has columns for each by its name.
+/// All that has contact pressures.
 inline std::vector<std::string> contact_names(const DeckOptions& options) {
   return names_in_all(options.contact, options.obstacles, options.rods);
+}
+
+/// All that has a contact force: the history has columns for each by its name.
+inline std::vector<std::string> force_names(const DeckOptions& options) {
+  return names_in_all(options.contact, options.ties, options.obstacles, options.rods);
 }
 
 /// The supports that bodies in plane strain make.
@@ -46,6 +51,7 @@ void for_each_acting_list(Deck& options, Function f) {
   f("springs", options.springs);
   f("loads", options.loads);
   f("contact", options.contact);
+  f("ties", options.ties);
   f("obstacles", options.obstacles);
   f("rods", options.rods);
 }

@@ -33,6 +33,8 @@ std::string condition(FieldNeed need) {
       return " (with supports)";
     case FieldNeed::contact:
       return " (with contact)";
+    case FieldNeed::ties:
+      return " (with ties)";
   }
   return "";
 }

@@ -27,18 +27,19 @@ enum class Field {
   almansi_strain,
   volume_ratio,
   energy_density,
-  tangential_traction
+  tangential_traction,
+  tie_traction
 };
 
 /// Where a field has values of its own.
 enum class FieldPlace {
   node,
-  secondary_node,  ///< of contact; 0 at all others
+  secondary_node,  ///< of contact or ties; 0 at all others
   point            ///< of the elements' quadrature; at nodes there are means
 };
 
 /// What a scene must have for a field to be there.
-enum class FieldNeed { nothing, inertia, supports, contact };
+enum class FieldNeed { nothing, inertia, supports, contact, ties };
 
 /// Components of a field, and with them the ends of its variables' names (`suffixes`).
 enum class FieldShape { scalar, vector, symmetric_tensor, tensor, three_values, three_vectors };
@@ -54,7 +55,7 @@ struct FieldEntry {
   const char* help;  ///< what it is; empty where the name says so
 };
 
-inline constexpr std::array<FieldEntry, 20> field_table{{
+inline constexpr std::array<FieldEntry, 21> field_table{{
     {Field::displacement, "displacement", "displacement", FieldShape::vector, FieldPlace::node, FieldNeed::nothing, "length", ""},
     {Field::von_mises, "von mises", "von_mises", FieldShape::scalar, FieldPlace::point, FieldNeed::nothing, "force/length^2",
      "of the Cauchy stress"},
@@ -68,6 +69,8 @@ inline constexpr std::array<FieldEntry, 20> field_table{{
      "2 closed and sticking, 1 closed, 0 open"},
     {Field::tangential_traction, "tangential traction", "tangential_traction", FieldShape::vector, FieldPlace::secondary_node,
      FieldNeed::contact, "force/length^2", "of friction on the secondary surface"},
+    {Field::tie_traction, "tie traction", "tie_traction", FieldShape::vector, FieldPlace::secondary_node, FieldNeed::ties,
+     "force/length^2", "per reference area, on the secondary surface"},
     {Field::reaction, "reaction", "reaction", FieldShape::vector, FieldPlace::node, FieldNeed::supports, "force",
      "of supports on the body, in the components that they hold"},
     {Field::position, "position", "position", FieldShape::vector, FieldPlace::node, FieldNeed::nothing, "length", "current"},

@@ -94,9 +94,15 @@ class MotionChecks {
       return std::any_of(entries.begin(), entries.end(), [&](const auto& entry) { return stage.has(list, entry.first); });
     };
     const bool has_pairs = has_any("contact", options_.contact);
-    const bool has_contact = has_pairs || has_any("obstacles", options_.obstacles) || has_any("rods", options_.rods);
+    const bool has_contact =
+        has_pairs || has_any("ties", options_.ties) || has_any("obstacles", options_.obstacles) || has_any("rods", options_.rods);
     const TimeScheme scheme = stage.scheme();
-    if (const std::string fault = instability(stage.time->scheme, has_contact && !is_redistributed()); !fault.empty())
+    const bool has_multipliers = has_any("ties", options_.ties) || has_any("obstacles", options_.obstacles) ||
+                                 has_any("rods", options_.rods) ||
+                                 std::any_of(options_.contact.begin(), options_.contact.end(), [&](const auto& pair) {
+                                   return stage.has("contact", pair.first) && pair.second.enforcement != Enforcement::penalty;
+                                 });
+    if (const std::string fault = instability(stage.time->scheme, has_multipliers && !is_redistributed()); !fault.empty())
       report("D19", stage.at("scheme"), fault);
     if (has_pairs && scheme.has_discrete_contact)
       report("D19", stage.at("scheme"),
@@ -112,7 +118,7 @@ class MotionChecks {
     for (const auto& [name, obstacle] : options_.obstacles) check_closing({"obstacles", name}, obstacle.closing, stage);
     if (scheme.is_explicit_in_position &&
         (has_contact || has_any("supports", options_.supports) || !plane_strain_supports(options_).empty()))
-      report("D19", stage.at("scheme"), "takes no supports and no contact, obstacles or rods: it is explicit");
+      report("D19", stage.at("scheme"), "takes no supports and no contact, ties, obstacles or rods: it is explicit");
     for (const auto& [name, spring] : options_.springs) {
       const auto* between = spring.kind ? std::get_if<springs::Between>(&*spring.kind) : nullptr;
       if (between && between->formulation == SpringFormulation::augmented && scheme.is_explicit_in_position)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "assembly/tangent_kind.hpp"
+#include "contact/mortar/readings.hpp"
 #include "deck/damping_options.hpp"
 #include "deck/discrete_options.hpp"
 #include "deck/friction_options.hpp"
@@ -54,16 +55,46 @@ struct BodyOptions {
 };
 
 enum class ContactMethod { mortar };
-enum class ContactForce { thesis };
+
+/// How gaps are kept closed.
+enum class Enforcement {
+  multipliers,          ///< exactly, by pressures that are unknowns
+  penalty,              ///< by springs: pressure = penalty x penetration
+  augmented_lagrangian  ///< by springs that start from the pressure found before, again and again (Uzawa)
+};
+
+/// Which function says in one equation that gap and pressure are not negative and one of them is 0.
+enum class Complementarity { minimum, fischer_burmeister };
 
 struct ContactOptions {
   std::string secondary;
   std::string primary;
   ContactMethod method = ContactMethod::mortar;
   ContactForce force = ContactForce::thesis;
+  bool has_frozen_integrals = false;
   int quadrature_degree = 5;  ///< of the rule on each triangle of a segment
+  Enforcement enforcement = Enforcement::multipliers;
+  std::optional<double> normal_penalty;
+  std::optional<double> largest_penetration;
+  Complementarity function = Complementarity::minimum;
   Closing closing = Closing::position;
   FrictionOptions friction;
+  Activity activity;
+};
+
+/// What of the gap between tied surfaces stays as it was.
+enum class TieForm {
+  automatic,        ///< plain where the surfaces fit, so that there is no gap to turn; else frame invariant
+  frame_invariant,  ///< the gap seen from the secondary facet, which turns with it (thesis eq. 4.98)
+  plain             ///< the gap in space (thesis eq. 4.97)
+};
+
+/// One entry of `ties`: two surfaces that stay together.
+struct TieOptions {
+  std::string secondary, primary;
+  TieForm form = TieForm::automatic;
+  int quadrature_degree = 5;
+  std::optional<double> largest_gap;  ///< default: a quarter of the greater facet size
   Activity activity;
 };
 
@@ -160,6 +191,7 @@ struct DeckOptions {
   Named<SpringOptions> springs;
   Named<LoadOptions> loads;
   Named<ContactOptions> contact;
+  Named<TieOptions> ties;
   Named<ObstacleOptions> obstacles;
   Named<RodOptions> rods;
   Named<InitialOptions> initial_conditions;  ///< by body, masses or string

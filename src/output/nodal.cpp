@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "assembly/vectors.hpp"
+#include "contact/mortar/facet_frame.hpp"
 #include "output/point_fields.hpp"
 
 namespace mortise {
@@ -17,7 +18,7 @@ using NodalField = std::vector<std::vector<double>>;
 std::vector<double> at_secondary_nodes(const StepProblem& problem, const std::vector<double>& unknowns) {
   const int n = problem.dofs().n_nodes();
   std::vector<double> values(n, 0.0);
-  for (const ContactNodes* contact : problem.scene().contacts())
+  for (const ContactNodes* contact : problem.scene().contacts_with_pressures())
     for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
       values[contact->secondary_nodes[k]] = unknowns[problem.dofs().global(n + contact->first_multiplier + static_cast<int>(k))];
   return values;
@@ -36,9 +37,39 @@ NodalField tractions(const StepProblem& problem, const std::vector<double>& unkn
   return field;
 }
 
+// Tractions of ties turned with their facets: the mean of what the facets round a node make of it.
+NodalField tie_tractions(const StepProblem& problem, const std::vector<double>& unknowns) {
+  const int n = problem.dofs().n_nodes();
+  NodalField field(3, std::vector<double>(n, 0.0));
+  const auto& X = problem.scene().mesh.mesh.coordinates;
+  for (const Tie& tie : problem.scene().ties) {
+    std::map<int, int> n_facets;
+    for (const TieFacet& facet : tie.facets)
+      for (int node : tie.secondary.facets[facet.index]) ++n_facets[node];
+    for (const TieFacet& facet : tie.facets) {
+      std::array<Vec3<double>, 4> reference, current;
+      const auto& nodes = tie.secondary.facets[facet.index];
+      for (int a = 0; a < 4; ++a) {
+        const double* q = &unknowns[3 * static_cast<std::size_t>(nodes[a])];
+        reference[a] = vec3(X[nodes[a]]);
+        current[a] = tie.form == TieForm::plain ? reference[a] : Vec3<double>{q[0], q[1], q[2]};
+      }
+      const auto R = facet_rotation(current, facet_frame(reference));
+      for (int node : nodes) {
+        const auto k =
+            std::lower_bound(tie.secondary_nodes.begin(), tie.secondary_nodes.end(), node) - tie.secondary_nodes.begin();
+        const double* on_body = &unknowns[problem.dofs().global(n + tie.first_multiplier + static_cast<int>(k))];
+        for (int i = 0; i < 3; ++i)
+          field[i][node] -= (R(i, 0) * on_body[0] + R(i, 1) * on_body[1] + R(i, 2) * on_body[2]) / n_facets[node];
+      }
+    }
+  }
+  return field;
+}
+
 std::vector<double> contact_status(const StepProblem& problem, const Evaluation& at) {
   std::vector<double> values(problem.dofs().n_nodes(), 0.0);
-  for (const ContactNodes* contact : problem.scene().contacts())
+  for (const ContactNodes* contact : problem.scene().contacts_with_pressures())
     for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k) {
       const std::size_t multiplier = contact->first_multiplier + k;
       const bool sticks = !at.friction.empty() && at.friction[multiplier] == FrictionStatus::stick;
@@ -87,6 +118,8 @@ NodalField field_of_nodes(const StepProblem& problem, const State& state, const 
       return {at_secondary_nodes(problem, problem.gather(*at.gap))};
     case Field::tangential_traction:
       return tractions(problem, problem.gather(*state.x));
+    case Field::tie_traction:
+      return tie_tractions(problem, problem.gather(*state.x));
     case Field::status:
       return {contact_status(problem, at)};
     default: {  // of motion: all rests in a static stage; a run of statics alone, which the deck reader refuses, has none

@@ -63,6 +63,7 @@ FieldValues values_at_point(Field field, const PointState& at) {
     case Field::gap:
     case Field::status:
     case Field::tangential_traction:
+    case Field::tie_traction:
       break;
   }
   throw std::logic_error("not a field of quadrature points");

@@ -132,13 +132,17 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
     for (const auto& [name, file] : scene.carried->files)
       text += fmt::format("state of \"{}\" {}\n  sha256 {}\n", name, file.string(), sha256_of_file(file));
   const int n_q = 3 * problem.dofs().n_nodes();
-  std::size_t n_tractions = 0;
-  for (const ContactNodes* contact : scene.contacts()) n_tractions += (contact->n_unknowns - 1) * contact->secondary_nodes.size();
+  std::size_t n_pressures = 0, n_tractions = 0;
+  for (const ContactNodes* contact : scene.contacts_with_pressures()) {
+    n_pressures += contact->secondary_nodes.size();
+    n_tractions += (contact->n_unknowns - 1) * contact->secondary_nodes.size();
+  }
+  for (const Tie& tie : scene.ties) n_tractions += 3 * tie.secondary_nodes.size();
   text += fmt::format(
       "ranks {}\nunknowns {} ({} positions, {} contact pressures, {} of tractions, {} pressures of elements, {} of springs)\n"
       "elements {}\n",
-      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, scene.n_multipliers, n_tractions,
-      scene.n_element_pressures(), 2 * scene.n_augmented_springs, n_elements(scene.mesh.mesh));
+      problem.dofs().comm()->getSize(), problem.dofs().n_unknowns(), n_q, n_pressures, n_tractions, scene.n_element_pressures(),
+      2 * scene.n_augmented_springs, n_elements(scene.mesh.mesh));
   text += fmt::format(
       "copies of other ranks' unknowns on this rank: {} bytes per exchange; the mesh and the positions of all contact nodes are "
       "on every rank\n",
@@ -162,15 +166,19 @@ std::string manifest(const Deck& deck, const StepProblem& problem, const std::st
   for (std::size_t k = 0; k < problem.inertias().size(); ++k)
     text += fmt::format("  mass of \"{}\": {:.10g}, matrix {}\n", massive[k].first,
                         problem.mass_and_centre(problem.inertias()[k], *problem.reference_state()).first, massive[k].second);
-  text +=
-      fmt::format("  contact: {}\n  obstacles: {}\n  rods: {}\n  friction: {}\n", on_off(!scene.pairs.empty()),
-                  on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0), on_off(scene.has_friction()));
+  text += fmt::format("  contact: {}\n  ties: {}\n  obstacles: {}\n  rods: {}\n  friction: {}\n", on_off(!scene.pairs.empty()),
+                      on_off(!scene.ties.empty()), on_off(n_rods < static_cast<long>(scene.obstacles.size())), on_off(n_rods > 0),
+                      on_off(scene.has_friction()));
   text += forces_and_motions(scene);
   for (const auto& pair : scene.pairs)
     text += fmt::format(
         "  contact pair \"{}\": mortar, {}, {} secondary and {} primary facets, quadrature of degree {}; the law "
         "yields at partly covered nodes\n",
         pair.name, in_words(pair.friction), pair.secondary.facets.size(), pair.primary.facets.size(), pair.quadrature_degree);
+  for (const auto& tie : scene.ties)
+    text += fmt::format("  tie \"{}\": {}, {} of {} secondary nodes, {} facet pairs integrated at the start, once for all\n",
+                        tie.name, tie.form == TieForm::plain ? "plain" : "frame invariant",
+                        std::count(tie.is_tied.begin(), tie.is_tied.end(), 1), tie.is_tied.size(), tie.n_pairs);
   return text;
 }
 

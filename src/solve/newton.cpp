@@ -21,6 +21,8 @@
 namespace mortise {
 namespace {
 
+constexpr int most_augmentations = 50;
+
 /// Full steps. Half a step only where the full one cannot be evaluated (det F <= 0), or once after the active set has cycled.
 class StepLength : public NOX::LineSearch::Generic {
  public:
@@ -64,13 +66,13 @@ class StepLengthFactory : public NOX::LineSearch::UserDefinedFactory {
 class StepStatus : public NOX::StatusTest::Generic {
  public:
   StepStatus(std::shared_ptr<NewtonShared> shared, const SolverOptions& options, const State& start, StepResult& result)
-      : shared_(std::move(shared)), options_(options), start_(start), result_(result) {}
+      : shared_(std::move(shared)), options_(options), start_(start), result_(result), before_(result.iterations) {}
 
   NOX::StatusTest::StatusType checkStatus(const NOX::Solver::Generic& solver, NOX::StatusTest::CheckType) override {
     const auto& group = dynamic_cast<const NewtonGroup&>(solver.getSolutionGroup());
     const int iteration = solver.getNumIterations();
     status_ = NOX::StatusTest::Unconverged;
-    result_.iterations = iteration;
+    result_.iterations = before_ + iteration;
     if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause + free_bodies_in_words());
     if (group.isF() && !group.evaluation().fault.empty()) {
       shared_->refused = group.evaluation().fault;
@@ -205,6 +207,7 @@ class StepStatus : public NOX::StatusTest::Generic {
   const SolverOptions& options_;
   const State& start_;
   StepResult& result_;
+  const int before_;  // iterations of passes before
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<char> set_, previous_;      // per multiplier: 0 open, 1 closed, 3 closed and sticking
   std::map<std::vector<char>, int> met_;  // how often each set was arrived at
@@ -240,8 +243,36 @@ StepResult Newton::solve(const State& from, double t) {
   result.cause = problem_.begin_step(from, t);
   result.is_deck_fault = !result.cause.empty();
   if (result.is_deck_fault) return result;
+  auto x = first_guess(from, t);
+  for (int passes = 1;; ++passes) {
+    iterate(from, x, result);
+    if (!result.converged) return result;
+    x = result.state.x;
+    const auto excess = problem_.augment(*x, result.evaluation);
+    if (!excess) break;
+    if (passes < most_augmentations) continue;
+    result.converged = false;
+    result.cause = fmt::format("augmented Lagrangian: after {} passes a node is {:.3g} times as deep as \"largest penetration\"",
+                               passes, *excess);
+    return result;
+  }
+  result.state.time = t;
+  result.state.search = problem_.search();
+  problem_.finish_step(from, result.state);
+  result.cause = update_velocities(problem_, linear_, from, result.state, result.evaluation);
+  result.converged = result.cause.empty();
+  if (!result.converged) return result;
+  // Where forces are those of positions within the step, only now are those at its end looked at.
+  if (problem_.stage().scheme.has_inertia() && !problem_.is_admissible_at_end(*result.state.x)) {
+    result.converged = false;
+    result.cause = "an element is inside out (det F <= 0) at the end of the step";
+  }
+  return result;
+}
+
+// Newton's iterations from `x`: whether they converged, where to, and how many more they were.
+void Newton::iterate(const State& from, const RCP<Vector>& x, StepResult& result) {
   auto shared = std::make_shared<NewtonShared>(NewtonShared{problem_, linear_, seconds_linear_});
-  const auto x = first_guess(from, t);
   const auto group = Teuchos::rcp(new NewtonGroup(shared, x));
   const auto status = Teuchos::rcp(new StepStatus(shared, options_, from, result));
 
@@ -269,22 +300,11 @@ StepResult Newton::solve(const State& from, double t) {
     if (result.cause.empty())
       result.cause =
           "the step length fell to nothing: every state along the Newton direction is inadmissible" + shared->refusal_in_words();
-    return result;
+    return;
   }
   const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());
-  result.state = {t, Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy)), problem_.search(), Teuchos::null,
-                  Teuchos::null};
+  result.state.x = Teuchos::rcp(new Vector(unwrap(solved.getX()), Teuchos::Copy));
   result.evaluation = solved.evaluation();
-  problem_.finish_step(from, result.state);
-  result.cause = update_velocities(problem_, linear_, from, result.state, result.evaluation);
-  result.converged = result.cause.empty();
-  if (!result.converged) return result;
-  // Where forces are those of positions within the step, only now are those at its end looked at.
-  if (problem_.stage().scheme.has_inertia() && !problem_.is_admissible_at_end(*result.state.x)) {
-    result.converged = false;
-    result.cause = "an element is inside out (det F <= 0) at the end of the step";
-  }
-  return result;
 }
 
 std::string Newton::find_acceleration(State& state) {

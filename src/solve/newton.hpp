@@ -51,6 +51,7 @@ class Newton {
 
  private:
   RCP<Vector> first_guess(const State& from, double t);
+  void iterate(const State& from, const RCP<Vector>& x, StepResult& result);
 
   StepProblem& problem_;
   SolverOptions options_;

@@ -59,11 +59,11 @@ std::vector<Direction> random_directions(const StepProblem& problem, const Vecto
   return directions;
 }
 
-/// Rows of contact that is closed, and all that is none of contact.
+/// Rows of contact that is closed or two-sided, and all that is none of contact.
 std::vector<char> compared_rows(const StepProblem& problem, const Evaluation& at) {
   std::vector<char> compared(problem.dofs().n_owned(), 1);
   for (const auto& contact : problem.contacts())
-    for (std::size_t k = 0; k < contact->nodes().secondary_nodes.size(); ++k)
+    for (std::size_t k = 0; k < contact->nodes().secondary_nodes.size() && !contact->nodes().is_two_sided; ++k)
       if (const int point = contact->pressure_point(k); problem.dofs().owned(point))
         compared[problem.dofs().local(point)] = at.closed[contact->nodes().first_multiplier + k];
   return compared;

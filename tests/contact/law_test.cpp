@@ -44,5 +44,26 @@ TEST(Complementarity, HasTheDerivativeOfItsBranch) {
     }
 }
 
+TEST(FischerBurmeister, HasTheRootsOfTheMinimum) {
+  for (const double gap : {-0.3, 0.0, 0.3})
+    for (const double p : {-5.0, 0.0, 5.0})
+      EXPECT_EQ(fischer_burmeister(p, gap, c) == 0, complementarity(p, gap, c) == 0) << p << " " << gap;
+}
+
+TEST(FischerBurmeister, HasSlopesBetweenThoseOfTheBranches) {
+  using Fad = Sacado::Fad::SFad<double, 2>;
+  for (const double gap : {-0.3, 0.0, 0.3})
+    for (const double p : {-5.0, 0.0, 5.0}) {
+      const Fad r = fischer_burmeister(Fad(2, 0, p), Fad(2, 1, gap), c);
+      EXPECT_EQ(r.val(), fischer_burmeister(p, gap, c));
+      if (gap == 0 && p == 0) continue;  // one of many
+      const double root = std::hypot(gap, p / c);
+      EXPECT_NEAR(r.dx(0), (1 - p / c / root) / c, 1e-15);
+      EXPECT_NEAR(r.dx(1), 1 - gap / root, 1e-15);
+    }
+  const Fad both = fischer_burmeister(Fad(2, 0, 0.0), Fad(2, 1, 0.0), c);
+  EXPECT_TRUE(std::isfinite(both.dx(0)) && std::isfinite(both.dx(1)));
+}
+
 }  // namespace
 }  // namespace mortise::test

@@ -37,7 +37,7 @@ Quad<double> corners(const nlohmann::json& list) {
 double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
 TEST(TriangleRule, IsExactToItsDegree) {
-  for (int degree = 4; degree <= 8; ++degree) {
+  for (int degree = 3; degree <= 8; ++degree) {
     const auto& rule = triangle_rule(degree);
     for (int i = 0; i <= degree; ++i)
       for (int j = 0; i + j <= degree; ++j)
@@ -59,6 +59,11 @@ TEST(TriangleRule, HasPositiveWeightsAndPointsInside) {
       EXPECT_NEAR(p.b0 + p.b1 + p.b2, 1, 3e-16);
     }
   }
+}
+
+TEST(TriangleRule, OfDegreeThreeIsThatOfTheThesis) {
+  EXPECT_EQ(triangle_rule(3).size(), 4u);  // Tab. 4.1: the centroid and three points, the first with a negative weight
+  EXPECT_DOUBLE_EQ(triangle_rule(3)[0].weight, -27.0 / 48);
 }
 
 TEST(InverseBilinear, ReturnsWhereAPointOfAConvexFacetCameFrom) {

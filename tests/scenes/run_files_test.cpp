@@ -104,7 +104,8 @@ TEST(Run, OfEveryPatchDeckMeetsItsExpectedValues) {
                                                       {"rotated", 2},
                                                       {"inclined", 4},
                                                       {"mooney_rivlin_dead", 1},
-                                                      {"mooney_rivlin_follower", 2}};
+                                                      {"mooney_rivlin_follower", 2},
+                                                      {"tied", 4}};
   for (const auto& [name, ranks] : runs) {
     const auto run =
         run_mortise(folder, "run '" + std::string(MORTISE_SOURCE_DIR) + "/inputs/patch_test/" + name + ".xml' --quiet", ranks);

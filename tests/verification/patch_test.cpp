@@ -129,6 +129,47 @@ TEST_P(PatchTest, StressAndPressureAreUniform) {
               << nodal << ", pressure " << pressure_error << "; " << run.iterations << " iterations\n";
 }
 
+TEST_P(PatchTest, IsPassedInEveryReading) {
+  const std::string primary = "value=\"lower/top\"/>";
+  for (const std::string& option :
+       {word("contact force", "interpolated normal"), word("mortar integrals", "start of step"),
+        word("complementarity", "fischer burmeister"), deck_parameter("quadrature degree", "int", "3")}) {
+    TestScene s(with(input_deck("patch_test/" + GetParam().deck + ".xml"), primary, primary + "\n" + option), world(),
+                [](Scene& scene) { scene.solver.further_iterations = 1; });
+    const auto run = s.march({0.5, 1});
+    ASSERT_TRUE(run.converged) << run.cause << option;
+    const auto x = s.gather(*s.state.x);
+    EXPECT_LE(position_error(s, x), 1e-12) << option;
+    EXPECT_LE(gauss_stress_error(s, x), 1e-10) << option;
+  }
+}
+
+TEST_P(PatchTest, IsPassedByTiedSurfaces) {
+  for (const char* form : {"frame invariant", "plain"}) {
+    std::string deck = input_deck("patch_test/" + GetParam().deck + ".xml");
+    for (const char* of_contact : {"contact", "output", "expected"}) deck = without_list(deck, of_contact);
+    deck = with_lists(deck, list("ties", list("upper on lower", word("secondary", "upper/bottom") + word("primary", "lower/top") +
+                                                                    word("form", form))));
+    TestScene s(deck, world(), [](Scene& scene) { scene.solver.further_iterations = 1; });
+    const int n_pairs = s.scene.ties[0].n_pairs;
+    const auto run = s.march({0.5, 1});
+    ASSERT_TRUE(run.converged) << run.cause;
+    EXPECT_EQ(s.scene.ties[0].n_pairs, n_pairs);  // the reference configuration alone is integrated over
+    const auto x = s.gather(*s.state.x);
+    EXPECT_LE(position_error(s, x), 1e-12);
+    EXPECT_LE(gauss_stress_error(s, x), 1e-10);
+    // T = P N, per reference area
+    const Exact& e = GetParam().exact;
+    const auto traction = nodal_variables(s.problem, s.state, run.at, variables_of_field("tie traction"));
+    const Vec3<double> N = s.problem.contacts()[0]->normals(data(*s.problem.to_overlap(*s.problem.reference_state())))[0];
+    const double T = e.stress * e.lateral * e.lateral * dot(N, e.axis);
+    double error = 0;
+    for (int node : s.scene.ties[0].secondary_nodes)
+      for (int i = 0; i < 3; ++i) error = std::max(error, std::abs(traction[i][node] - T * e.axis[i]) / std::abs(T));
+    EXPECT_LE(error, 1e-10);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Decks, PatchTest,
                          testing::Values(Case{"contact", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},
                                          Case{"conforming", along(uniaxial(1e6, 0.3, -1e4), {0, 0, 1})},

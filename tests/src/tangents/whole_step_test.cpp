@@ -120,6 +120,30 @@ TEST(WholeStepOfFrictionLaws, HasTheTangentOfItsResidual) {
   if (world()->getRank() == 0) std::cout << "friction laws: " << worst << '\n';
 }
 
+TEST(WholeStepOfReadings, HasTheTangentOfItsResidual) {
+  const std::string pair = "value=\"lower/top\"/>";
+  const std::string eps = number("normal penalty", "2");
+  for (const std::string& reading : {word("contact force", "interpolated normal"), word("mortar integrals", "start of step"),
+                                     word("enforcement", "penalty") + eps, word("enforcement", "augmented lagrangian") + eps,
+                                     word("complementarity", "fischer burmeister"),
+                                     word("contact force", "interpolated normal") + number("friction coefficient", "0.3"),
+                                     word("mortar integrals", "start of step") + number("friction coefficient", "0.3")})
+    for (const char* scheme : {"static", "midpoint"})
+      EXPECT_LE(checked(with(everything(scheme), pair, pair + "\n" + reading)).difference, 1e-8) << scheme << reading;
+}
+
+TEST(WholeStepOfTies, HasTheTangentOfItsResidual) {
+  for (const char* scheme : {"static", "midpoint", "trapezoidal", "energy momentum midpoint contact"})
+    for (const char* form : {"frame invariant", "plain"}) {
+      const std::string deck = without_list(everything(scheme), "contact");
+      EXPECT_LE(checked(with_lists(deck, list("ties", list("glue", word("secondary", "upper/bottom") +
+                                                                       word("primary", "lower/top") + word("form", form)))))
+                    .difference,
+                1e-8)
+          << scheme << form;
+    }
+}
+
 TEST(WholeStepOfFormulations, HasTheTangentOfItsResidual) {
   for (const char* formulation : {"f-bar", "enhanced strain", "mixed"})
     for (const char* scheme : {"midpoint", "generalised alpha"}) {
