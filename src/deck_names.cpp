@@ -80,8 +80,8 @@ std::optional<int> DeckNames::node_of(const std::string& mesh, std::optional<int
   return node;
 }
 
-PlacedFormula DeckNames::formula(const std::string& text, const DeckPath& path) const {
-  return {Formula(text, deck_.options().tables), deck_.error("D23", path, "")};
+PlacedFormula DeckNames::formula(const std::string& text, const DeckPath& path, const std::vector<std::string>& variables) const {
+  return {Formula(text, deck_.options().tables, variables), deck_.error("D23", path, "")};
 }
 
 PlacedVector DeckNames::formulas(const VectorFormula& texts, const DeckPath& entry) const {

@@ -39,7 +39,8 @@ class DeckNames {
   std::optional<int> node_of(const std::string& mesh, std::optional<int> number,
                              const std::optional<std::array<double, 3>>& nearest, const DeckPath& entry) const;
 
-  PlacedFormula formula(const std::string& text, const DeckPath& path) const;
+  PlacedFormula formula(const std::string& text, const DeckPath& path,
+                        const std::vector<std::string>& variables = {"t", "x", "y", "z"}) const;
 
   /// Formulas of the parameters x, y, z of an entry.
   PlacedVector formulas(const VectorFormula& texts, const DeckPath& entry) const;

@@ -8,6 +8,24 @@
 #include "opposite_surfaces.hpp"
 
 namespace mortise {
+namespace {
+
+Friction friction_of(const DeckNames& names, const FrictionOptions& o, const DeckPath& path) {
+  const auto placed = [&](const NumberOrFormula& value, const std::vector<std::string>& variables) {
+    using Placed = std::variant<double, PlacedFormula>;
+    if (const double* number = std::get_if<double>(&value)) return Placed(*number);
+    return Placed(names.formula(std::get<std::string>(value), path, variables));
+  };
+  Friction friction{friction::Coulomb{}, o.tangential_penalty, o.slip_regularisation, o.slip};
+  if (o.bound) {
+    friction.law = friction::Tresca{placed(*o.bound, friction_bound_variables)};
+  } else {
+    friction.law = friction::Coulomb{placed(*o.coefficient, friction_coefficient_variables)};
+  }
+  return friction;
+}
+
+}  // namespace
 
 void make_pairs(const DeckNames& names, Scene& scene, std::vector<std::string>& mesh_errors, std::vector<std::string>& warnings) {
   std::map<int, std::string> secondary_of;
@@ -24,8 +42,8 @@ void make_pairs(const DeckNames& names, Scene& scene, std::vector<std::string>& 
     pair.function = o.function;
     pair.closing = o.closing;
     pair.activity = o.activity;
-    if (o.friction_coefficient) {
-      pair.friction = Friction{*o.friction_coefficient, o.tangential_penalty, o.slip};
+    if (o.friction.acts()) {
+      pair.friction = friction_of(names, o.friction, {"contact", name, o.friction.law()});
       pair.n_unknowns = 4;
     }
     number_multipliers(scene, pair);
@@ -42,6 +60,13 @@ void make_pairs(const DeckNames& names, Scene& scene, std::vector<std::string>& 
           fmt::format("contact > {}: the secondary side is coarser than the primary side (facets of {:.3g} and {:.3g}) - swap "
                       "them for a sharper pressure",
                       name, pair.size, pair.primary_size));
+    const double opposite_modulus = pair.primary_size / pair.opposite_compliance;
+    constexpr double much_stiffer = 100;
+    if (pair.youngs_modulus > much_stiffer * opposite_modulus && pair.size >= pair.primary_size)
+      warnings.push_back(
+          fmt::format("contact > {}: the secondary side is much stiffer than the primary side (Young's moduli of {:.3g} and "
+                      "{:.3g}), and not finer - best the softer side is the secondary one",
+                      name, pair.youngs_modulus, opposite_modulus));
     scene.pairs.push_back(std::move(pair));
   }
 }

@@ -98,7 +98,12 @@ class Session {
       checkpoints_->at_stop(at);
       if (outcome.code != ExitCode::done) results_->write_last(setup_.problem, *history_);
     }
-    if (outcome.code == ExitCode::done) outcome.expectations = check_expectations(setup_.scene, *history_);
+    if (outcome.code == ExitCode::done) {
+      outcome.expectations = check_expectations(setup_.scene, *history_);
+      outcome.warnings = idle_pairs(setup_.scene, *history_, touched_);
+    }
+    if (is_root_)
+      for (const auto& warning : outcome.warnings) warn(warning);
     for (const auto& e : outcome.expectations) {
       if (is_root_)
         (e.met ? std::cout : std::cerr) << fmt::format("expected \"{}\": {:.6g} +- {:.2g}, found {:.6g}: {}", e.name, e.expected,
@@ -127,11 +132,22 @@ class Session {
       if (has_recipe && restarted_after_ <= 0) write_exodus(setup_.scene.mesh.mesh, folder_ / "mesh.e", setup_.scene.title);
       log_.open(folder_ / "run.log", restarted_after_ > 0 ? std::ios::app : std::ios::trunc);
       log_ << text << '\n';
-      for (const auto& warning : setup_.warnings) {
-        log_ << "warning: " << warning << '\n';
-        std::cerr << "warning: " << warning << '\n';
-      }
+      for (const auto& warning : setup_.warnings) warn(warning);
     });
+  }
+
+  void warn(const std::string& warning) {
+    log_ << "warning: " << warning << '\n';
+    std::cerr << "warning: " << warning << '\n';
+  }
+
+  void note_touching(const Evaluation& at) {
+    for (std::size_t k = 0; k < touched_.size(); ++k) {
+      const ContactPair& pair = setup_.scene.pairs[k];
+      const auto first = at.closed.begin() + pair.first_multiplier;
+      touched_[k] =
+          touched_[k] || std::find(first, first + pair.secondary_nodes.size(), 1) != first + pair.secondary_nodes.size();
+    }
   }
 
   MarchParty party() {
@@ -140,6 +156,7 @@ class Session {
       const auto start = Clock::now();
       history_->observe(setup_.problem, before, now, at, record, newton_.seconds_linear(), seconds_output_);
       results_->observe(setup_.problem, now, at, record, *history_);
+      note_touching(at);
       seconds_output_ += seconds_since(start);
     });
     party.keep = [this](const MarchState& at) {
@@ -192,6 +209,7 @@ class Session {
   std::optional<History> history_;
   std::optional<ResultsWriter> results_;
   std::optional<CheckpointWriter> checkpoints_;
+  std::vector<char> touched_ = std::vector<char>(setup_.scene.pairs.size(), 0);  // of each pair, in this session
   double seconds_output_ = 0;
 };
 

@@ -13,6 +13,7 @@
 #include "mesh/combine.hpp"
 #include "mesh/mesh.hpp"
 #include "physics/materials/materials.hpp"
+#include "scene_friction.hpp"
 #include "scene_loads.hpp"
 
 namespace mortise {
@@ -72,18 +73,6 @@ struct ContactNodes {
   double size = 0;                 ///< edge of the facets round the nodes [m]
   double youngs_modulus = 0;       ///< of the body behind them [Pa]
   double opposite_compliance = 0;  ///< size / Young's modulus of the other side, 0 if that is rigid [m/Pa]
-};
-
-/// Coulomb's friction of a pair.
-struct Friction {
-  double coefficient;
-  std::optional<double> penalty;  ///< of stick [Pa/m]; none: exact stick
-  SlipForm slip;
-  /// Part of the traction at the end of a step in what acts in it, the rest being that at its start (thesis eq. 5.113).
-  double theta_of(const TimeScheme& scheme) const { return penalty && scheme.constraint_theta < 1 ? 0.5 : 1; }
-  bool is_moment_free(const TimeScheme& scheme) const {
-    return slip == SlipForm::moment_free || (slip == SlipForm::automatic && scheme.constraint_theta < 1);
-  }
 };
 
 /// Two surfaces opposite each other. The size is the square root of the mean area of the secondary facets.

@@ -1,6 +1,9 @@
 // Coulomb's law of friction at a node as one semismooth equation for its tangential traction.
 #pragma once
 
+#include <algorithm>
+#include <limits>
+
 #include "physics/tensor.hpp"
 
 namespace mortise {
@@ -27,9 +30,9 @@ Vec3<T> turned_with(const Vec3<double>& n_old, const Vec3<T>& n, const Vec3<doub
 /// Whether a trial traction sticks. A node that slipped in the step before begins the next one at the bound, to round-off: it
 /// goes on slipping, lest the first Newton iteration holds it by chance.
 template <class T>
-bool is_below(const Vec3<T>& trial, const T& bound) {
+bool is_below(const Vec3<T>& trial, double bound) {
   constexpr double at_the_bound = 1e-8;
-  const double limit = (1 - at_the_bound) * value(bound);
+  const double limit = (1 - at_the_bound) * bound;
   return limit > 0 && value(dot(trial, trial)) <= limit * limit;
 }
 
@@ -44,12 +47,14 @@ Vec3<T> slipping(const FrictionState<T>& at, const T& bound, const Vec3<T>& tria
 /// Stick while |t - c s| stays below the bound mu p, then s = 0; slip else, then t = mu p (t - c s)/|t - c s|: exact stick, with
 /// any c > 0 (Hueber, Stadler & Wohlmuth 2008). The traction's part along the normal vanishes on both branches.
 /// @param bound greatest traction mu p [Pa]  @param c complementarity constant [Pa/m]  @param status set to the branch
+/// @param at_rest the bound without slip speed [Pa]: what holds is not held by a bound that only its motion would raise
 /// @return zero at the solution: [m] for stick, [Pa] else
 template <class T>
-Vec3<T> exact_stick(const FrictionState<T>& at, const T& bound, double c, FrictionStatus& status) {
+Vec3<T> exact_stick(const FrictionState<T>& at, const T& bound, double c, FrictionStatus& status,
+                    double at_rest = std::numeric_limits<double>::infinity()) {
   const T along = dot(at.normal, at.traction);
   const Vec3<T> trial = at.traction - along * at.normal - T(c) * at.slip;
-  const bool sticks = is_below(trial, bound);
+  const bool sticks = is_below(trial, std::min(value(bound), at_rest));
   status = sticks ? FrictionStatus::stick : FrictionStatus::slip;
   return sticks ? at.slip + T(along / c) * at.normal : slipping(at, bound, trial);
 }
@@ -62,7 +67,7 @@ template <class T>
 Vec3<T> penalised_stick(const FrictionState<T>& at, const T& bound, const Vec3<double>& before, const Vec3<double>& normal_before,
                         double penalty, FrictionStatus& status) {
   const Vec3<T> trial = turned_with(normal_before, at.normal, before) - T(penalty) * at.slip;
-  const bool sticks = is_below(trial, bound);
+  const bool sticks = is_below(trial, value(bound));
   status = sticks ? FrictionStatus::stick : FrictionStatus::slip;
   return sticks ? at.traction - trial : slipping(at, bound, trial);
 }

@@ -8,19 +8,6 @@
 namespace mortise {
 namespace {
 
-/// The message of the first rank that has one, on all ranks.
-std::string agreed(const Comm& comm, const std::string& fault) {
-  const int none = comm.getSize();
-  const int rank = all_reduced(comm, Teuchos::REDUCE_MIN, fault.empty() ? none : comm.getRank());
-  if (rank == none) return "";
-  std::string message = fault;
-  int size = static_cast<int>(message.size());
-  Teuchos::broadcast(comm, rank, &size);
-  message.resize(static_cast<std::size_t>(size));
-  Teuchos::broadcast(comm, rank, size, message.data());
-  return message;
-}
-
 }  // namespace
 
 std::string StepProblem::begin_step(const State& from, double t) {
@@ -40,6 +27,8 @@ std::string StepProblem::begin_step(const State& from, double t) {
   const double t_force = scheme_.forces == ForceReading::mean ? t : from.time + scheme_.theta * dt_;
   dead_ = dead(t_force, fault);
   for (auto& follower : followers_) follower.set_time(acting_time_, t_force, fault);
+  for (const auto& term : pairs_)
+    if (dt_ > 0 && term->pair().friction && acts(*term)) check(*term->pair().friction, t, fault);
   for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_, *acting_);
   find_gaps_before(*from.x);
   return agreed(*dofs_.comm(), fault);

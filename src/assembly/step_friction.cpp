@@ -4,7 +4,8 @@
 
 #include "assembly/step_problem.hpp"
 #include "assembly/vectors.hpp"
-#include "contact/laws/coulomb.hpp"
+#include "contact/laws/friction_bound.hpp"
+#include "contact/laws/regularised.hpp"
 
 namespace mortise {
 namespace {
@@ -22,6 +23,20 @@ FrictionState<Fad> seeded(const Vec3<double>& slip, const Vec3<double>& traction
   return at;
 }
 
+/// The bound, and what it is at rest [Pa].
+std::pair<Fad, double> bound_of(const friction::Coulomb& law, const FrictionState<Fad>& at, bool, double t, double dt,
+                                double size, std::string& fault) {
+  const double speed = slip_speed(at, dt).val(), no_speed = 1e-4 * size / dt;
+  const FrictionCoefficient mu = coefficient_at(law, t, at.pressure.val(), speed, no_speed, fault);
+  return {coulomb_bound(at, mu, dt), mu.at_rest * at.pressure.val()};
+}
+
+std::pair<Fad, double> bound_of(const friction::Tresca& law, const FrictionState<Fad>&, bool is_closed, double t, double, double,
+                                std::string& fault) {
+  const double bound = tresca_bound(bound_at(law, t, fault), is_closed);
+  return {bound, bound};
+}
+
 }  // namespace
 
 // Where the forces of contact act in a step: the position between its start and its end.
@@ -36,14 +51,16 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
   std::vector<double*> factor;
   for (const auto& f : rows.factors) factor.push_back(data(*f));
   out.friction.assign(scene_.n_multipliers, FrictionStatus::none);
+  std::string fault;
   std::vector<double> works{0, 0};  // of friction, and stored in stick
   for (const auto& term : pairs_) {
     const ContactPair& pair = term->pair();
     if (!pair.friction) continue;
+    const Friction& friction = *pair.friction;
     const auto normals = term->normals(data(static_cast<const Vector&>(*where)));
     std::vector<Vec3<double>> normals_before;  // of use to a stick that is a spring
-    if (pair.friction->penalty) normals_before = term->normals(before);
-    const double part = pair.friction->theta_of(scheme_);
+    if (friction.penalty) normals_before = term->normals(before);
+    const double part = friction.theta_of(scheme_);
     for (std::size_t k = 0; k < pair.secondary_nodes.size(); ++k) {
       const int point = term->pressure_point(k);
       if (!dofs_.owned(point)) continue;
@@ -64,13 +81,16 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
       for (int i = 0; i < 3; ++i) slip[i] = slip_sums[at + 1 + i] / area;
       const auto state = seeded(slip, traction, normals[k], unknowns[at]);
       FrictionStatus status = FrictionStatus::none;
-      const Fad bound = pair.friction->coefficient * state.pressure;
+      const auto [bound, at_rest] =
+          std::visit([&](const auto& of) { return bound_of(of, state, out.closed[multiplier], time_, dt_, pair.size, fault); },
+                     friction.law);
       const Vec3<Fad> law =
-          pair.friction->penalty
-              ? penalised_stick(state, bound, traction_before, normals_before[k], *pair.friction->penalty, status)
-              : exact_stick(state, bound, complementarity_constant(pair, k, pair.tributary_area[k]), status);
+          friction.regularisation ? regularised_slip(state, bound, *friction.regularisation * dt_, status)
+          : friction.penalty
+              ? penalised_stick(state, bound, traction_before, normals_before[k], *friction.penalty, status)
+              : exact_stick(state, bound, complementarity_constant(pair, k, pair.tributary_area[k]), status, at_rest);
       if (out.closed[multiplier]) out.friction[multiplier] = status;
-      const bool is_length = status == FrictionStatus::stick && !pair.friction->penalty;
+      const bool is_length = status == FrictionStatus::stick && !friction.penalty;
       for (int i = 0; i < 3; ++i) {
         const int row = at + 1 + i;
         residual[row] = law[i].val();
@@ -85,9 +105,10 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
         factor[FrictionRows::pressure][row] = law[i].dx(9);
         works[0] += ((1 - part) * traction_before[i] + part * traction[i]) * slip_sums[row];
       }
-      if (pair.friction->penalty) works[1] += 0.5 * area * dot(traction, traction) / *pair.friction->penalty;
+      if (friction.penalty) works[1] += 0.5 * area * dot(traction, traction) / *friction.penalty;
     }
   }
+  out.fault = agreed(*dofs_.comm(), fault);
   all_reduce(*dofs_.comm(), Teuchos::REDUCE_SUM, works);
   out.friction_work = works[0];
   out.stick_energy = works[1];

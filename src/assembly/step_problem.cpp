@@ -294,6 +294,10 @@ Evaluation StepProblem::evaluate(const Vector& x, bool with_tangent) {
   if (!contacts_.empty()) law(x, *owned_sum(sums.whole_area), out, rows);
   std::optional<FrictionRows> friction_rows;
   if (!slips.is_null()) friction_law(x, overlap_x, *owned_sum(*slips), out, friction_rows.emplace(dofs_.owned_map()));
+  if (!out.fault.empty()) {
+    out.admissible = false;
+    return out;
+  }
 
   std::vector<double> greatest{0, out.gap_residual, out.pressure_residual, out.pressure_scale, 0};
   {

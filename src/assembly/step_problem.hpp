@@ -43,7 +43,8 @@ struct VelocityJump {
 
 /// What one evaluation of the equations found. Vectors live on the owned map. Norms and counts are of all ranks.
 struct Evaluation {
-  bool admissible = false;  ///< det F > 0 everywhere; if false nothing else is of use
+  bool admissible = false;  ///< det F > 0 everywhere, and friction has a bound; if false nothing but `fault` is of use
+  std::string fault;        ///< what a formula of friction misses; empty: nothing
   RCP<Vector>
       residual;  ///< f_inertia + f_int + f_damping + f_contact - f_ext, rows of supports q - (X + u), rows of pressures the law
   RCP<Vector> internal, contact, external;  ///< forces on the rows of nodes [N]; contact with the sign of the residual

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Teuchos_CommHelpers.hpp>
+#include <string>
 #include <vector>
 
 #include "assembly/tpetra.hpp"
@@ -25,6 +26,19 @@ T all_reduced(const Comm& comm, Teuchos::EReductionType type, T local) {
   T all{};
   Teuchos::reduceAll(comm, type, 1, &local, &all);
   return all;
+}
+
+/// The message of the first rank that has one, on all ranks; collective.
+inline std::string agreed(const Comm& comm, const std::string& fault) {
+  const int none = comm.getSize();
+  const int rank = all_reduced(comm, Teuchos::REDUCE_MIN, fault.empty() ? none : comm.getRank());
+  if (rank == none) return "";
+  std::string message = fault;
+  int size = static_cast<int>(message.size());
+  Teuchos::broadcast(comm, rank, &size);
+  message.resize(static_cast<std::size_t>(size));
+  Teuchos::broadcast(comm, rank, size, message.data());
+  return message;
 }
 
 }  // namespace mortise

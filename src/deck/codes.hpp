@@ -34,7 +34,9 @@ inline constexpr std::array<DeckCode, 23> deck_codes{{
     {"D20", "a block, side set, node set or node is not in the mesh (found when the meshes are read)"},
     {"D21", "prescribed motions contradict each other (found when the meshes are read, or at the first step where they do)"},
     {"D22", "the bodies are not held: a rigid mode is free in statics (found when the meshes are read)"},
-    {"D23", "a formula gives no finite value (found at the first step where it does not; the steps before are kept)"},
+    {"D23",
+     "a formula gives no finite value, or friction a negative one (found at the first step where it does not; the steps before "
+     "are kept)"},
 }};
 
 }  // namespace mortise

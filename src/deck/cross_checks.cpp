@@ -186,7 +186,7 @@ class CrossChecks {
     check_contact_names("obstacles", options_.obstacles, taken);
     check_contact_names("rods", options_.rods, taken);
     for (const auto& [name, pair] : options_.contact) {
-      if (pair.friction_coefficient && options_.solver.linear == LinearSolverKind::iterative)
+      if (pair.friction.acts() && options_.solver.linear == LinearSolverKind::iterative)
         report("D19", {"solver", "linear"},
                "cannot be \"iterative\" with friction (contact > " + in_quotes(name) + "): take \"direct\"");
       check_surfaces("contact", name, pair);
@@ -275,7 +275,7 @@ class CrossChecks {
   void compile_formulas() {
     for (const FormulaUse& use : findings_.formulas) {
       try {
-        const Formula compiled(use.text, callable_);
+        const Formula compiled(use.text, callable_, use.variables);
       } catch (const std::invalid_argument& fault) {
         report("D16", use.path, std::string("cannot be compiled: ") + fault.what());
       }

@@ -145,23 +145,9 @@ void describe(Fields& f, ContactOptions& o) {
            "which equation joins gap and pressure. minimum: the active set, settled within each iteration. fischer burmeister: "
            "a smooth function with the same roots, for comparison");
   describe(f, o.closing);
-  f.optional("friction coefficient", o.friction_coefficient, at_least(0), "-",
-             "Coulomb's: greatest tangential traction over pressure; left out: no friction, and nothing tangential is computed");
-  f.optional(
-      "tangential penalty", o.tangential_penalty, positive, "force/length^3",
-      "stiffness of stick per area, as a spring that is let out at the bound (thesis eqs. 5.123-5.127); left out: exact stick");
-  f.choice(
-      "slip", o.slip,
-      Choices<SlipForm>{{"automatic", SlipForm::automatic}, {"thesis", SlipForm::thesis}, {"moment free", SlipForm::moment_free}},
-      Presence::optional,
-      "how the slip of a step is measured. thesis: motion weighted with the mortar integrals (eq. 5.124). moment free: the same "
-      "without the spin of each pair of facets, with a force that has no moment; objective. automatic: moment free where the "
-      "scheme's forces act within the step, else thesis");
-  f.rule("D19", {"complementarity", "friction coefficient"},
-         o.function == Complementarity::minimum || !o.friction_coefficient.has_value(),
+  describe(f, o.friction);
+  f.rule("D19", {"complementarity", o.friction.law()}, o.function == Complementarity::minimum || !o.friction.acts(),
          "cannot be \"fischer burmeister\" with friction, which asks for the active set");
-  f.only_with({"tangential penalty", "slip"}, "friction coefficient", o.friction_coefficient.has_value(),
-              "\"friction coefficient\"");
   describe(f, o.activity);
 }
 

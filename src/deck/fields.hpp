@@ -8,6 +8,7 @@
 //                                                    stand beside it in the same list
 //   f.words(name, target, allowed, help)             several of some names
 //   f.formula(name, target, unit, help)              a formula in t, x, y, z
+//   f.number_or_formula(name, target, bound, variables, unit, help)   a number, or a formula in these variables
 //   f.list(name, options, presence, help)            a list with its own description
 //   f.named(name, entries, presence, help)           lists that the user names, all with the same description
 //   f.exactly_one_of(names), f.at_least_one_of(names), f.only_with(...), f.rule(...)   what ties parameters together

@@ -56,33 +56,40 @@ std::vector<std::string> names_in_formula(const std::string& text) {
   return names;
 }
 
-std::vector<std::string> formula_names() {
+namespace {
+
+/// What a formula in these variables may use, tables apart.
+std::vector<std::string> names_beside(std::vector<std::string> variables) {
   mu::Parser parser;
-  std::vector<std::string> names{"t", "x", "y", "z", "pi"};
-  for (const auto& function : parser.GetFunDef()) names.push_back(function.first);
-  for (const auto& constant : parser.GetConst()) names.push_back(constant.first);
-  return names;
+  variables.emplace_back("pi");
+  for (const auto& function : parser.GetFunDef()) variables.push_back(function.first);
+  for (const auto& constant : parser.GetConst()) variables.push_back(constant.first);
+  return variables;
 }
+
+}  // namespace
+
+std::vector<std::string> formula_names() { return names_beside({"t", "x", "y", "z"}); }
 
 struct Formula::Compiled {
   std::string text;
   std::vector<TableOptions> tables;  // muParser keeps pointers to these: not changed after compilation
-  std::array<double, 4> point{};     // t, x, y, z: muParser reads them here
+  std::array<double, 4> point{};     // values of the variables: muParser reads them here
   mu::Parser parser;
 
   static double look_up(void* table, double argument) { return table_value(*static_cast<const TableOptions*>(table), argument); }
 };
 
-Formula::Formula(const std::string& text, const Named<TableOptions>& tables) : compiled_(std::make_shared<Compiled>()) {
+Formula::Formula(const std::string& text, const Named<TableOptions>& tables, const std::vector<std::string>& variables)
+    : compiled_(std::make_shared<Compiled>()) {
   if (text.find_first_not_of(" \t\r\n") == std::string::npos) throw std::invalid_argument("the formula is empty");
   if (text.find('"') != std::string::npos) throw std::invalid_argument("a formula has no strings");
   refuse_assignment(text);
   compiled_->text = text;
-  std::vector<std::string> known = formula_names();
+  std::vector<std::string> known = names_beside(variables);
   mu::Parser& parser = compiled_->parser;
   try {
-    const std::array<const char*, 4> variables{"t", "x", "y", "z"};
-    for (std::size_t i = 0; i < 4; ++i) parser.DefineVar(variables[i], &compiled_->point[i]);
+    for (std::size_t i = 0; i < variables.size(); ++i) parser.DefineVar(variables[i], &compiled_->point.at(i));
     parser.DefineConst("pi", pi);
     for (const auto& table : tables) compiled_->tables.push_back(table.second);
     for (std::size_t i = 0; i < tables.size(); ++i) {
@@ -101,8 +108,10 @@ Formula::Formula(const std::string& text, const Named<TableOptions>& tables) : c
   }
 }
 
-double Formula::operator()(double t, const std::array<double, 3>& X) const {
-  compiled_->point = {t, X[0], X[1], X[2]};
+double Formula::operator()(double t, const std::array<double, 3>& X) const { return at({t, X[0], X[1], X[2]}); }
+
+double Formula::at(const std::array<double, 4>& values) const {
+  compiled_->point = values;
   try {
     return compiled_->parser.Eval();
   } catch (const mu::ParserError&) {  // a domain error, where muParser was built to throw them

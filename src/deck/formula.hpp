@@ -1,4 +1,4 @@
-// Formulas of the deck in t, x, y, z (reference position), compiled once by muParser.
+// Formulas of the deck in t, x, y, z (reference position) or other variables, compiled once by muParser.
 #pragma once
 
 #include <array>
@@ -14,11 +14,16 @@ namespace mortise {
 class Formula {
  public:
   /// Compiles `text`; `tables` may be called as functions of one argument.
+  /// @param variables at most four names
   /// @throws std::invalid_argument with muParser's reason and the position in the text
-  Formula(const std::string& text, const Named<TableOptions>& tables);
+  Formula(const std::string& text, const Named<TableOptions>& tables,
+          const std::vector<std::string>& variables = {"t", "x", "y", "z"});
 
   /// Value at time `t` and reference position `X`; NaN or infinity is returned as such, for the caller to refuse.
   double operator()(double t, const std::array<double, 3>& X) const;
+
+  /// Value where its variables have these values, in their order; the rest is of no account. As above.
+  double at(const std::array<double, 4>& values) const;
 
   const std::string& text() const;
 
@@ -33,7 +38,7 @@ double table_value(const TableOptions& table, double argument);
 /// Every name that stands in a formula: variables, constants, functions, tables.
 std::vector<std::string> names_in_formula(const std::string& text);
 
-/// Variables, constants and functions that every formula may use.
+/// Constants and functions that every formula may use, and the variables t, x, y, z.
 std::vector<std::string> formula_names();
 
 }  // namespace mortise

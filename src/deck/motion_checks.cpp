@@ -109,9 +109,9 @@ class MotionChecks {
              "has no discrete gradient of the mortar gap yet - take \"energy momentum midpoint contact\"");
     for (const auto& [name, contact] : options_.contact) {
       check_closing({"contact", name}, contact.closing, stage);
-      if (contact.friction_coefficient && stage.has("contact", name) &&
+      if (contact.friction.acts() && stage.has("contact", name) &&
           (scheme.forces == ForceReading::mean || scheme.constraint_theta == 0))
-        report("D19", {"contact", name, "friction coefficient"},
+        report("D19", {"contact", name, contact.friction.law()},
                "cannot stand with " + stage.with_scheme() +
                    ", whose contact forces do not act at one time in the step after its start");
     }

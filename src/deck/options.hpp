@@ -11,6 +11,7 @@
 #include "contact/mortar/readings.hpp"
 #include "deck/damping_options.hpp"
 #include "deck/discrete_options.hpp"
+#include "deck/friction_options.hpp"
 #include "deck/initial_options.hpp"
 #include "deck/load_options.hpp"
 #include "deck/material_options.hpp"
@@ -65,13 +66,6 @@ enum class Enforcement {
 /// Which function says in one equation that gap and pressure are not negative and one of them is 0.
 enum class Complementarity { minimum, fischer_burmeister };
 
-/// How the slip of a step is measured.
-enum class SlipForm {
-  automatic,   ///< moment free where forces act within the step, thesis where they act at its end
-  thesis,      ///< motion weighted with the mortar integrals (thesis eq. 5.124)
-  moment_free  ///< the same without the spin of the pair of facets, and a force without moment
-};
-
 struct ContactOptions {
   std::string secondary;
   std::string primary;
@@ -84,9 +78,7 @@ struct ContactOptions {
   std::optional<double> largest_penetration;
   Complementarity function = Complementarity::minimum;
   Closing closing = Closing::position;
-  std::optional<double> friction_coefficient;  ///< none: frictionless
-  std::optional<double> tangential_penalty;    ///< none: exact stick
-  SlipForm slip = SlipForm::automatic;
+  FrictionOptions friction;
   Activity activity;
 };
 

@@ -38,6 +38,10 @@ class ParameterNames {
   void formula(const std::string& name, const std::optional<std::string>&, const std::string&, const std::string&) {
     names.push_back(name);
   }
+  void number_or_formula(const std::string& name, const std::optional<NumberOrFormula>&, const Bound&,
+                         const std::vector<std::string>&, const std::string&, const std::string&) {
+    names.push_back(name);
+  }
   template <class Options>
   void list(const std::string& name, const Options&, Presence, const std::string&) {
     names.push_back(name);

@@ -66,6 +66,19 @@ void Reader::formula(const std::string& name, std::optional<std::string>& target
   findings_.formulas.push_back({below_path(name), *target});
 }
 
+void Reader::number_or_formula(const std::string& name, std::optional<NumberOrFormula>& target, const Bound& bound,
+                               const std::vector<std::string>& variables, const std::string& unit, const std::string&) {
+  if (!is_given(name, Presence::optional)) return;
+  const DeckParameter& parameter = *list_.parameter(name);
+  if (parameter.type == "string") {
+    target = parameter.value;
+    findings_.formulas.push_back({below_path(name), parameter.value, variables});
+  } else if (double number = 0; has_type(name, "double", ", or \"string\" (a formula in " + join(variables) + ")") &&
+                                read(name, number, bound, unit)) {
+    target = number;
+  }
+}
+
 void Reader::exactly_one_of(const std::vector<std::string>& names) {
   checks_.push_back([this, names] {
     std::map<std::pair<int, int>, std::string> set;  // in the order of the text

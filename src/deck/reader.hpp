@@ -20,6 +20,7 @@ namespace mortise {
 struct FormulaUse {
   std::vector<std::string> path;
   std::string text;
+  std::vector<std::string> variables{"t", "x", "y", "z"};
 };
 
 /// What reading a deck finds besides the options.
@@ -78,6 +79,9 @@ class Reader {
              const std::string&);
 
   void formula(const std::string& name, std::optional<std::string>& target, const std::string& unit, const std::string&);
+
+  void number_or_formula(const std::string& name, std::optional<NumberOrFormula>& target, const Bound& bound,
+                         const std::vector<std::string>& variables, const std::string& unit, const std::string&);
 
   template <class Options>
   void list(const std::string& name, Options& options, Presence presence, const std::string&) {

@@ -88,6 +88,12 @@ class ReferencePrinter {
     parameter(name, {"string", "formula", unit_text(unit), "optional"}, help);
   }
 
+  void number_or_formula(const std::string& name, const std::optional<NumberOrFormula>&, const Bound& bound,
+                         const std::vector<std::string>& variables, const std::string& unit, const std::string& help) {
+    parameter(name, {"double, or string: a formula in " + join(variables), unit_text(unit), bound.text, "optional"}, help,
+              bound.reason);
+  }
+
   template <class Options>
   void list(const std::string& name, Options& options, Presence presence, const std::string& help) {
     below(name, "list", presence, help, options);

@@ -118,6 +118,13 @@ class SchemaPrinter {
     typed(name, "string", 0, help);
   }
 
+  void number_or_formula(const std::string& name, const std::optional<NumberOrFormula>&, const Bound&,
+                         const std::vector<std::string>&, const std::string&, const std::string& help) {
+    pugi::xml_node alternatives = parameter(name, help);
+    add_typed(alternatives, "double", 0);
+    add_typed(alternatives, "string", 0);
+  }
+
   template <class Options>
   void list(const std::string& name, Options& options, Presence, const std::string& help) {
     SchemaPrinter below(add_entries(known_list(name, help)));
@@ -162,7 +169,9 @@ class SchemaPrinter {
 
   /// A parameter that is not a choice of names: integers may stand where doubles are wanted.
   void typed(const std::string& name, const std::string& type, std::size_t count, const std::string& help) {
-    pugi::xml_node alternatives = parameter(name, help);
+    add_typed(parameter(name, help), type, count);
+  }
+  static void add_typed(pugi::xml_node alternatives, const std::string& type, std::size_t count) {
     for (const std::string allowed : {"double", "int", "bool", "string", "Array(double)", "Array(int)", "Array(string)"}) {
       if (!is_type_allowed(allowed, type)) continue;
       pugi::xml_node value = typed_value(alternatives, allowed);

@@ -81,11 +81,7 @@ std::string forces_and_motions(const Scene& scene) {
   return text;
 }
 
-std::string in_words(const std::optional<Friction>& friction) {
-  if (!friction) return "frictionless";
-  return fmt::format("Coulomb's friction {:g}, {}", friction->coefficient,
-                     friction->penalty ? fmt::format("stick penalised by {:g}", *friction->penalty) : "exact stick");
-}
+std::string in_words(const std::optional<Friction>& friction) { return friction ? in_words(*friction) : "frictionless"; }
 
 }  // namespace
 
@@ -212,6 +208,20 @@ std::vector<Expectation> check_expectations(const Scene& scene, const History& h
   return results;
 }
 
+std::vector<std::string> idle_pairs(const Scene& scene, const History& history, const std::vector<char>& touched) {
+  std::vector<std::string> warnings;
+  for (std::size_t k = 0; k < scene.pairs.size(); ++k) {
+    const std::string& name = scene.pairs[k].name;
+    const auto bears = [&, first = history.column("contact_force_x." + name)](const std::vector<double>& row) {
+      return std::hypot(row[first], row[first + 1], row[first + 2]) > scene.force_floor;
+    };
+    if (touched[k] || std::any_of(history.rows().begin(), history.rows().end(), bears)) continue;
+    warnings.push_back(fmt::format(
+        "contact > {}: the two sides never touched - are the side sets, their places and the motion what they should be?", name));
+  }
+  return warnings;
+}
+
 void write_summary(const fs::path& file, const RunOutcome& outcome, const StepProblem& problem, const Newton& newton) {
   using Json = nlohmann::ordered_json;
   const WorkCounts& counts = problem.counts();
@@ -223,6 +233,7 @@ void write_summary(const fs::path& file, const RunOutcome& outcome, const StepPr
             {"newton_iterations_of_rejected_steps", outcome.done.wasted_iterations},
             {"ranks", problem.dofs().comm()->getSize()},
             {"cause", outcome.cause},
+            {"warnings", outcome.warnings},
             {"seconds",
              {{"cpu_of_rank_0", outcome.cpu_seconds},
               {"wall", outcome.wall_seconds},

@@ -51,8 +51,13 @@ struct RunOutcome {
   MarchCounts done;          ///< since the start, over all restarts
   int restarted_after = -1;  ///< the step whose checkpoint this session went on from, -1: it began the run
   std::vector<Expectation> expectations;
+  std::vector<std::string> warnings;         ///< of the run as a whole
   double cpu_seconds = 0, wall_seconds = 0;  ///< of this session
 };
+
+/// A line for each pair that never touched in all steps that the history has. @param touched whether a node of the k-th pair was
+/// closed in a step of this session
+std::vector<std::string> idle_pairs(const Scene& scene, const History& history, const std::vector<char>& touched);
 
 /// summary.json. @throws FileError
 void write_summary(const std::filesystem::path& file, const RunOutcome& outcome, const StepProblem& problem,

@@ -17,9 +17,9 @@ bool solve_dense(std::vector<double> A, std::vector<double>& b) {
 }  // namespace
 
 std::optional<std::vector<double>> solve_complementarity(const std::vector<double>& M, const std::vector<double>& q,
-                                                         double no_sign) {
+                                                         double no_sign, std::vector<char> basic) {
   const std::size_t n = q.size();
-  std::vector<char> basic(n, 0);  // z may be positive, w = 0
+  basic.resize(n, 0);
   std::size_t fewest = n + 1;
   int patience = 3;
   for (int round = 0; round < 1000; ++round) {
@@ -38,7 +38,7 @@ std::optional<std::vector<double>> solve_complementarity(const std::vector<doubl
     for (std::size_t r = 0; r < n; ++r) {
       double w = q[r];
       for (std::size_t c = 0; c < n; ++c) w += M[r * n + c] * z[c];
-      if (basic[r] ? z[r] < 0 : w < -no_sign) wrong.push_back(r);
+      if (basic[r] ? !(z[r] >= 0) : !(w >= -no_sign)) wrong.push_back(r);
     }
     if (wrong.empty()) return z;
     if (wrong.size() < fewest) {

@@ -39,6 +39,8 @@ class StepLength : public NOX::LineSearch::Generic {
         shared_->last_step_length = step;
         return true;
       }
+      if (const auto& fault = dynamic_cast<const NewtonGroup&>(group).evaluation().fault; !fault.empty())
+        shared_->refused = fault;
     }
     shared_->last_step_length = 0;
     return false;
@@ -72,6 +74,10 @@ class StepStatus : public NOX::StatusTest::Generic {
     status_ = NOX::StatusTest::Unconverged;
     result_.iterations = before_ + iteration;
     if (iteration > 0 && !shared_->last_linear.solved) return fail(shared_->last_linear.cause + free_bodies_in_words());
+    if (group.isF() && !group.evaluation().fault.empty()) {
+      shared_->refused = group.evaluation().fault;
+      return fail("no state along the Newton direction is admissible");
+    }
     if (!group.isF() || !group.evaluation().admissible)
       return fail("an element turns inside out (det F <= 0), even after ten halvings of the step");
     const Evaluation& e = group.evaluation();
@@ -115,7 +121,7 @@ class StepStatus : public NOX::StatusTest::Generic {
 
  private:
   NOX::StatusTest::StatusType fail(const std::string& cause) {
-    result_.cause = cause;
+    result_.cause = cause + shared_->refusal_in_words();
     return status_ = NOX::StatusTest::Failed;
   }
 
@@ -292,7 +298,8 @@ void Newton::iterate(const State& from, const RCP<Vector>& x, StepResult& result
   result.converged = solver->solve() == NOX::StatusTest::Converged;
   if (!result.converged) {
     if (result.cause.empty())
-      result.cause = "the step length fell to nothing: every state along the Newton direction is inadmissible";
+      result.cause =
+          "the step length fell to nothing: every state along the Newton direction is inadmissible" + shared->refusal_in_words();
     return;
   }
   const auto& solved = dynamic_cast<const NewtonGroup&>(solver->getSolutionGroup());

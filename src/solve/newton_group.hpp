@@ -19,6 +19,8 @@ struct NewtonShared {
   DirectionReport last_linear{};
   bool halve_next = false;  ///< the active set has cycled: the line search takes half a step
   double last_step_length = 1;
+  std::string refused{};  ///< what a formula of friction missed at the last trial state that was refused for it
+  std::string refusal_in_words() const { return refused.empty() ? "" : "; trial states were refused: " + refused; }
 };
 
 /// Wraps Tpetra vectors for NOX.

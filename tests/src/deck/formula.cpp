@@ -30,6 +30,17 @@ TEST(Formula, KnowsTimeAndPlace) {
   EXPECT_EQ(formula.text(), "t + 10*x + 100*y + 1000*z");
 }
 
+TEST(Formula, MayBeInOtherVariables) {
+  const Formula formula("t + 10*p + ramp(v)", ramp, {"t", "p", "v"});
+  EXPECT_EQ(formula.at({1, 2, 0.5}), 22);
+  try {
+    const Formula of_place("0.3*x", ramp, {"t", "p", "v"});
+    FAIL() << "x is no variable of it";
+  } catch (const std::invalid_argument& fault) {
+    EXPECT_NE(std::string(fault.what()).find("\"x\""), std::string::npos) << fault.what();
+  }
+}
+
 TEST(Formula, OfTheConventionsMovesTheIndenter) {
   const Formula sliding("0.15*max(t-1,0)", {}), pressing("-0.7*min(t,1)", {});
   EXPECT_EQ(sliding(0.5, origin), 0);

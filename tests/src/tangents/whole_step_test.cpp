@@ -90,9 +90,10 @@ TEST_P(WholeStepOfClosing, HasTheTangentOfItsResidual) {
 INSTANTIATE_TEST_SUITE_P(Closings, WholeStepOfClosing, testing::Values("modified", "persistent", "velocity update"),
                          [](const auto& info) { return in_one_word(info.param); });
 
-std::string with_friction(const std::string& deck, const std::string& parameters) {
+std::string with_friction(const std::string& deck, const std::string& parameters,
+                          const std::string& law = number("friction coefficient", "0.3")) {
   const std::string pair = "value=\"lower/top\"/>";
-  return with(deck, pair, pair + "\n" + number("friction coefficient", "0.3") + parameters);
+  return with(deck, pair, pair + "\n" + law + parameters);
 }
 
 TEST(WholeStepOfFriction, HasTheTangentOfItsResidual) {
@@ -103,6 +104,20 @@ TEST(WholeStepOfFriction, HasTheTangentOfItsResidual) {
         const StepTangent step = checked(with_friction(everything(scheme), word("slip", slip) + stick));
         EXPECT_LE(step.difference, 1e-8) << scheme << ", " << slip << stick;
       }
+}
+
+TEST(WholeStepOfFrictionLaws, HasTheTangentOfItsResidual) {
+  const std::string formula = word("friction coefficient", "0.2 + 0.1*exp(-0.5*p) + 0.2*v/(1+v) + 0.1*t"),
+                    bound = word("friction bound", "0.1 + t"), creep = number("slip regularisation", "0.2");
+  double worst = 0;
+  for (const char* scheme : {"static", "backward euler", "midpoint", "energy momentum midpoint contact"})
+    for (const std::string& law : {formula, bound, formula + creep, bound + creep, number("friction coefficient", "1.5") + creep,
+                                   formula + number("tangential penalty", "0.5"), bound + number("tangential penalty", "20")}) {
+      const StepTangent step = checked(with_friction(everything(scheme), "", law));
+      EXPECT_LE(step.difference, 1e-8) << scheme << ", " << law;
+      worst = std::max(worst, step.difference);
+    }
+  if (world()->getRank() == 0) std::cout << "friction laws: " << worst << '\n';
 }
 
 TEST(WholeStepOfReadings, HasTheTangentOfItsResidual) {
