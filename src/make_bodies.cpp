@@ -68,7 +68,12 @@ class BodyMaker {
       if (body.elements.empty()) continue;
       std::sort(body.elements.begin(), body.elements.end());
       double volume = 0;
-      for (int e : body.elements) volume += element_volume(mesh, e);
+      for (int e : body.elements) {
+        const double V = element_volume(mesh, e),
+                     shortest = edge_range(mesh, element_type(mesh, e), element_nodes(mesh, e)).first;
+        volume += V;
+        body.stiffest = std::max(body.stiffest, V / (shortest * shortest));
+      }
       body.nodes = nodes_of_elements(body.elements);
       check_elements(name, body);
       check_mass(name, body);

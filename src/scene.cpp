@@ -155,8 +155,11 @@ class SceneMaker {
     for (const String& string : scene_.strings) meet(string.size);
     for (const NodeSpring& spring : scene_.node_springs) meet(spring.rest_length);
     if (!(size > 0)) size = extent > 0 ? extent : 1;  // masses alone
-    double stiffness = 0;
-    for (const Body& body : scene_.bodies) stiffness = std::max(stiffness, stiffest_modulus(body) * size);
+    double stiffness = 0, greatest = 0;
+    for (const Body& body : scene_.bodies) {
+      stiffness = std::max(stiffness, stiffest_modulus(body) * size);
+      greatest = std::max(greatest, stiffest_modulus(body) * body.stiffest);
+    }
     for (const String& string : scene_.strings) stiffness = std::max(stiffness, string.axial_stiffness / string.size);
     for (const NodeSpring& spring : scene_.node_springs) stiffness = std::max(stiffness, spring.stiffness);
     if (scene_.bodies.empty())
@@ -164,7 +167,8 @@ class SceneMaker {
         stiffness = std::max(stiffness, *std::max_element(spring.stiffness.begin(), spring.stiffness.end()));
     scene_.size = size;
     scene_.extent = extent;
-    scene_.force_floor = 1e-14 * stiffness * (size + extent);
+    scene_.force_floor = 1e-14 * std::max(stiffness, greatest) * (size + extent);
+    scene_.pressure_floor = 1e-14 * stiffness * (size + extent) / (size * size);
   }
 
   const Deck& deck_;

@@ -33,6 +33,7 @@ struct Body {
   MassKind mass_kind;
   RayleighOptions rayleigh;
   std::optional<InitialOptions> initial;  ///< none: at rest, in its reference position
+  double stiffest = 0;  ///< greatest volume over squared shortest edge of an element: its stiffness over the modulus [m]
 };
 
 /// The same mass on each of some nodes.
@@ -163,10 +164,12 @@ struct Scene {
   OutputOptions output;
   CheckpointOptions checkpoints;
   Named<ExpectedOptions> expected;
-  double force_floor;  ///< round-off floor of the residual, 1e-14 E h (h + |x|) [N]; E is the bulk modulus where that is greater,
-                       ///< E h the stiffness of a spring, EA/h of a string
-  double size;         ///< smallest size of an element of a body or string, or length of a spring [m]
-  double extent;       ///< greatest reference coordinate [m]
+  double force_floor;  ///< round-off floor of the residual, 1e-14 E V/h^2 (h + |x|) [N] with the volume and the shortest edge of
+                       ///< the stiffest element; E is the bulk modulus where that is greater, or EV/h^2 the stiffness of a
+                       ///< spring, EA/h of a string
+  double pressure_floor;  ///< pressure that is round-off, 1e-14 E (1 + |x|/h) [Pa]
+  double size;            ///< smallest size of an element of a body or string, or length of a spring [m]
+  double extent;          ///< greatest reference coordinate [m]
 
   double end() const { return stages.back().time.end; }
   bool has_inertia() const;  ///< in any stage
@@ -187,9 +190,6 @@ struct Scene {
 
   /// Elements or springs have unknowns of their own, so that the tangent is indefinite.
   bool has_internal_unknowns() const { return n_element_pressures() + n_augmented_springs > 0; }
-
-  /// Pressure that is round-off [Pa].
-  double pressure_floor() const { return force_floor / (size * size); }
 };
 
 /// Opens the meshes and resolves every name of the deck.

@@ -40,6 +40,15 @@ Setup::Setup(Deck d, const RCP<const Comm>& comm)
 State Setup::first_state() {
   State state = problem.initial_state();
   if (const std::string fault = problem.begin_step(state, 0); !fault.empty()) throw DeckError(fault);
+  for (const MortarTerm* term : problem.pairs()) {
+    int n_held = 0;
+    for (std::size_t k = 0; k < term->pair().secondary_nodes.size(); ++k) n_held += term->is_held(k);
+    if (n_held > 0)
+      warnings.push_back(
+          fmt::format("contact > {}: supports hold {} secondary nodes along their normals, beside free ones or on "
+                      "both sides: they have no pressure",
+                      term->pair().name, n_held));
+  }
   if (problem.stage().scheme.has_inertia()) return state;
   std::vector<char> closed(scene.n_multipliers, 0);
   std::vector<Vec3<double>> normals;

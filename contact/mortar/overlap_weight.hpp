@@ -25,11 +25,11 @@ T facing_weight(const Vec3<T>& n, const std::array<Vec3<T>, 4>& x) {
   return smooth_step(T((cosine - cos_80) / (cos_70 - cos_80)));
 }
 
-/// 1 up to half of the farthest gap that counts, 0 from there on.
+/// 1 up to four fifths of the farthest gap that counts, 0 from that gap on.
 /// @param gap mean gap of the pair [m]  @param farthest [m]
 template <class T>
 T nearness_weight(const T& gap, double farthest) {
-  return 1.0 - smooth_step(T(2.0 * gap / farthest - 1.0));
+  return 1.0 - smooth_step(T(5.0 * gap / farthest - 4.0));
 }
 
 }  // namespace mortise

@@ -40,8 +40,9 @@ class ContactTerm {
   /// Where may what meet what. @param x positions on the overlap @return whether the answer changed
   virtual bool search(const double* x, double reach, double inward) = 0;
 
-  /// A step begins. @param x positions at its start, on the overlap; null between steps  @param held what supports hold in it
-  virtual void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) = 0;
+  /// A step begins. @param x positions at its start, on the overlap  @param is_at_rest between steps: nothing moves
+  /// @param held what supports hold in it
+  virtual void begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) = 0;
 
   virtual void append_cells(std::vector<Cell>& cells) = 0;
 
@@ -60,6 +61,10 @@ class ContactTerm {
 
   /// Adds the rows of the tractions, found in the last evaluation that summed slips. @param theta as above
   virtual void add_friction_tangent(const FrictionRows&, double /*theta*/, SystemMatrix&) const {}
+
+  /// Whether supports hold the k-th node along its normal, so that its pressure has nothing to do in this step. On all ranks
+  /// alike.
+  virtual bool is_held(std::size_t /*k*/) const { return false; }
 
   /// Unit normals at all its nodes at positions `x` (overlap), out of the body.
   virtual std::vector<Vec3<double>> normals(const double* x) const = 0;

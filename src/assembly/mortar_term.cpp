@@ -97,10 +97,19 @@ void MortarTerm::integrate(const double* x, bool with_tangent, double* f, NodalS
   }
 }
 
-void MortarTerm::begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>&) {
-  start_ = x;
+void MortarTerm::begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) {
+  start_ = is_at_rest ? nullptr : x;
   scheme_ = scheme;
-  if (x && pair_.has_frozen_integrals) start_normal_ = normals(x);
+  if (start_ && pair_.has_frozen_integrals) start_normal_ = normals(x);
+  held_ = held_components(patches_, pair_.primary.nodes(), held);
+  held_along_normal_.clear();
+  if (held_.empty()) return;
+  const auto n = normals(x);
+  for (std::size_t k = 0; k < n.size(); ++k) {
+    double held_part = 0;  // of the normal, squared
+    for (int i = 0; i < 3; ++i) held_part += is_held(k, i) ? n[k][i] * n[k][i] : 0;
+    if (held_part > 0.9) held_along_normal_.insert(k);
+  }
 }
 
 PairFriction MortarTerm::friction_of(const Facet& facet, std::size_t candidate, const double* x, const PairInput& input) const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assembly/contact_term.hpp"
+#include "assembly/held_components.hpp"
 #include "assembly/pair_tangent.hpp"
 #include "contact/bounding_volume.hpp"
 
@@ -29,7 +30,7 @@ class MortarTerm : public ContactTerm {
   /// @return whether a list changed
   bool search(const double* x, double reach, double inward) override;
 
-  void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
+  void begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
 
   /// One cell per facet of this rank: its patch, all listed primary nodes, its pressures.
   void append_cells(std::vector<Cell>& cells) override;
@@ -40,6 +41,10 @@ class MortarTerm : public ContactTerm {
   void add_friction_tangent(const FrictionRows& rows, double theta, SystemMatrix& K) const override;
 
   const ContactPair& pair() const { return pair_; }
+
+  /// Whether supports leave nothing to hold for exact stick at the k-th node along an axis. On all ranks alike.
+  bool is_held(std::size_t k, int axis) const { return held_.count({k, axis}) > 0; }
+  bool is_held(std::size_t k) const override { return held_along_normal_.count(k) > 0; }
   const ContactCounts& counts() const { return counts_; }
   void resume_counts(const ContactCounts& counts) { counts_ = counts; }
 
@@ -93,8 +98,10 @@ class MortarTerm : public ContactTerm {
   std::vector<Vec3<double>> normal_, load_;
   std::vector<std::array<std::vector<Vec3<double>>, 3>> normal_gradient_;  // row i: d n_i / d x of each patch node
   std::vector<std::vector<Vec3<double>>> patch_x_;
-  const double* start_ = nullptr;           // positions and tractions at the start of the step, overlap; null between steps
-  std::vector<Vec3<double>> start_normal_;  // nodal normals there, where D and M are those of the start
+  const double* start_ = nullptr;            // positions and tractions at the start of the step, overlap; null between steps
+  std::vector<Vec3<double>> start_normal_;   // nodal normals there, where D and M are those of the start
+  Components held_;                          // by supports in this step, see `held_components`
+  std::set<std::size_t> held_along_normal_;  // nodes
   TimeScheme scheme_;
   ContactCounts counts_;
   double closure_ = 0;

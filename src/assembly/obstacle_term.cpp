@@ -12,8 +12,8 @@ ObstacleTerm::ObstacleTerm(const Scene& scene, const Obstacle& obstacle, const D
   }
 }
 
-void ObstacleTerm::begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>&) {
-  keeps_energy_ = scheme.has_discrete_contact && x;
+void ObstacleTerm::begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>&) {
+  keeps_energy_ = scheme.has_discrete_contact && !is_at_rest;
   if (!keeps_energy_) return;
   for (Node& node : nodes_here_) node.start = {x[node.position], x[node.position + 1], x[node.position + 2]};
 }

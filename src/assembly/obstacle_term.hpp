@@ -11,7 +11,7 @@ class ObstacleTerm : public ContactTerm {
   ObstacleTerm(const Scene& scene, const Obstacle& obstacle, const DofSpace& dofs);
 
   bool search(const double*, double, double) override { return false; }
-  void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
+  void begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
   void append_cells(std::vector<Cell>& cells) override;
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) override;
   void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const override;

@@ -46,7 +46,8 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
       const bool is_covered = area[at] > 1e-10 * nodes.tributary_area[k];
       const double weighted_gap = gap[at];
       gap[at] = is_covered ? weighted_gap / area[at] : 0;
-      const std::optional<double> start = is_covered ? start_of_closing(nodes, k, at, pressure[at]) : std::nullopt;
+      const bool can_push = is_covered && !contact->is_held(k);
+      const std::optional<double> start = can_push ? start_of_closing(nodes, k, at, pressure[at]) : std::nullopt;
       identity_rows_[at] = !start;
       if (!start) {
         residual[at] = pressure[at];
@@ -68,7 +69,7 @@ void StepProblem::law(const Vector& x, const Vector& whole_area, Evaluation& out
         d_whole[at] = 2 * factor * lacking * pressure[at] / area[at];
       }
       const double c = complementarity_constant(nodes, k, area[at]);
-      const double round_off = scene_.pressure_floor(), law = complementarity(pressure[at], closing_gap[at], c, round_off);
+      const double round_off = scene_.pressure_floor, law = complementarity(pressure[at], closing_gap[at], c, round_off);
       const bool closed = is_closed(pressure[at], closing_gap[at], c, round_off);
       out.closed[multiplier] = closed;
       if (closed && lacking > 0) partly_covered.push_back(multiplier);

@@ -6,9 +6,7 @@
 #include "prescribed_motion.hpp"
 
 namespace mortise {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 std::string StepProblem::begin_step(const State& from, double t) {
   std::string fault;
@@ -29,7 +27,7 @@ std::string StepProblem::begin_step(const State& from, double t) {
   for (auto& follower : followers_) follower.set_time(acting_time_, t_force, fault);
   for (const auto& term : pairs_)
     if (dt_ > 0 && term->pair().friction && acts(*term)) check(*term->pair().friction, t, fault);
-  for (auto& contact : contacts_) contact->begin_step(dt_ > 0 ? data(*start_x_) : nullptr, scheme_, *acting_);
+  for (auto& contact : contacts_) contact->begin_step(data(static_cast<const Vector&>(*start_x_)), dt_ == 0, scheme_, *acting_);
   find_gaps_before(*from.x);
   return agreed(*dofs_.comm(), fault);
 }

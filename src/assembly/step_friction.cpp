@@ -94,6 +94,12 @@ void StepProblem::friction_law(const Vector& x, const RCP<Vector>& overlap_x, co
       for (int i = 0; i < 3; ++i) {
         const int row = at + 1 + i;
         residual[row] = law[i].val();
+        if (is_length && term->is_held(k, i)) {
+          identity_rows_[row] = 1;
+          residual[row] = traction[i];
+          out.pressure_residual = std::max(out.pressure_residual, std::abs(traction[i]));
+          continue;
+        }
         double& greatest = is_length ? out.gap_residual : out.pressure_residual;
         greatest = std::max(greatest, std::abs(residual[row]));
         for (int j = 0; j < 3; ++j) {

@@ -42,21 +42,13 @@ TieTerm::TieTerm(const Scene& scene, const Tie& tie, const Partition& partition,
     }
     facets_.push_back(std::move(facet));
   }
-  begin_step(nullptr, {}, {});
+  begin_step(nullptr, true, {}, {});
 }
 
-// A traction at a held node has nothing to move but its free neighbours, which have conditions of their own: where both sides are
-// held there would be one too many. A surface that is held as a whole keeps its tractions, and draws the other side along.
-void TieTerm::begin_step(const double*, const TimeScheme&, const std::vector<PrescribedDof>& held) {
-  std::set<std::pair<int, int>> is_held;
-  for (const PrescribedDof& p : held) is_held.insert({p.node, p.axis});
-  left_out_.clear();
+void TieTerm::begin_step(const double*, bool, const TimeScheme&, const std::vector<PrescribedDof>& held) {
+  left_out_ = held_components(patches_, tie_.primary.nodes(), held);
   for (std::size_t k = 0; k < patches_.size(); ++k)
-    for (int i = 0; i < 3; ++i) {
-      const auto holds = [&](int node) { return is_held.count({node, i}) > 0; };
-      const auto& patch = patches_[k].nodes;
-      if (!tie_.is_tied[k] || (holds(patch[0]) && !std::all_of(patch.begin(), patch.end(), holds))) left_out_.insert({k, i});
-    }
+    for (int i = 0; i < 3 && !tie_.is_tied[k]; ++i) left_out_.insert({k, i});
   for (Facet& facet : facets_)
     for (int a = 0; a < 4; ++a)
       for (int i = 0; i < 3; ++i)

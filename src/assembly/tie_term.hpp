@@ -1,9 +1,8 @@
 // Two surfaces tied together, as a term of the scene.
 #pragma once
 
-#include <set>
-
 #include "assembly/contact_term.hpp"
+#include "assembly/held_components.hpp"
 
 namespace mortise {
 
@@ -16,7 +15,7 @@ class TieTerm : public ContactTerm {
   TieTerm(const Scene& scene, const Tie& tie, const Partition& partition, const DofSpace& dofs);
 
   bool search(const double*, double, double) override { return false; }
-  void begin_step(const double* x, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
+  void begin_step(const double* x, bool is_at_rest, const TimeScheme& scheme, const std::vector<PrescribedDof>& held) override;
   void append_cells(std::vector<Cell>& cells) override;
   void integrate(const double* x, bool with_tangent, double* f, NodalSums& sums) override;
   void add_tangent(const double* a, const double* b, const double* c, double force_weight, SystemMatrix& K) const override;
@@ -47,7 +46,7 @@ class TieTerm : public ContactTerm {
   const Tie& tie_;
   std::vector<NodePatch> patches_;
   std::vector<Facet> facets_;
-  std::set<std::pair<std::size_t, int>> left_out_;  // secondary node, component
+  Components left_out_;
   std::size_t first_cell_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 namespace mortise {
 
@@ -51,14 +52,16 @@ std::size_t n_side_corners(const Mesh& mesh, Side side) {
   return n == 3 || n == 6 ? 3 : 4;
 }
 
-double longest_edge(const Mesh& mesh, ElementType type, ElementNodeList element) {
-  double longest = 0;
+std::pair<double, double> edge_range(const Mesh& mesh, ElementType type, ElementNodeList element) {
+  double shortest = std::numeric_limits<double>::max(), longest = 0;
   for (const auto& [a, b] : topology(type).edges) {
     const Point &X = mesh.coordinates[static_cast<std::size_t>(element[static_cast<std::size_t>(a)])],
                 &Y = mesh.coordinates[static_cast<std::size_t>(element[static_cast<std::size_t>(b)])];
-    longest = std::max(longest, std::hypot(Y[0] - X[0], Y[1] - X[1], Y[2] - X[2]));
+    const double edge = std::hypot(Y[0] - X[0], Y[1] - X[1], Y[2] - X[2]);
+    shortest = std::min(shortest, edge);
+    longest = std::max(longest, edge);
   }
-  return longest;
+  return {shortest, longest};
 }
 
 }  // namespace mortise

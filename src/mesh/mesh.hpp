@@ -67,7 +67,10 @@ std::vector<int> side_nodes(const Mesh& mesh, Side side);
 /// Number of corners of a side.
 std::size_t n_side_corners(const Mesh& mesh, Side side);
 
-/// Length of the longest edge of an element, from corner to corner.
-double longest_edge(const Mesh& mesh, ElementType type, ElementNodeList element);
+/// Lengths of the shortest and the longest edge of an element, from corner to corner.
+std::pair<double, double> edge_range(const Mesh& mesh, ElementType type, ElementNodeList element);
+inline double longest_edge(const Mesh& mesh, ElementType type, ElementNodeList element) {
+  return edge_range(mesh, type, element).second;
+}
 
 }  // namespace mortise

@@ -118,7 +118,7 @@ class WrongSigns {
     for (const ContactNodes* contact : scene.contacts())
       for (std::size_t k = 0; k < contact->secondary_nodes.size(); ++k)
         no_gap_[contact->first_multiplier + k] = 1e-13 * contact->size;
-    no_pressure_ = scene.pressure_floor();
+    no_pressure_ = scene.pressure_floor;
     for (std::size_t k = 0; k < slack.size(); ++k)
       if (closed[k]) no_pressure_ = std::max(no_pressure_, 1e-12 * std::abs(slack[k]));
   }

@@ -101,7 +101,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     const bool small = e.force_residual <= std::max(options_.tolerance * e.force_scale, e.force_floor) &&
                        e.gap_residual <= options_.tolerance * h && e.constraint_residual <= options_.tolerance &&
                        e.support_residual <= options_.tolerance * h &&
-                       e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor());
+                       e.pressure_residual <= std::max(options_.tolerance * e.pressure_scale, scene.pressure_floor);
     if (small && settled && iteration > 0) {
       if (further_++ >= options_.further_iterations) status_ = NOX::StatusTest::Converged;
       return status_;
@@ -111,6 +111,7 @@ class StepStatus : public NOX::StatusTest::Generic {
     far_off_ = e.force_residual > 0.3 * e.force_scale && iteration > 1 && !falls ? far_off_ + 1 : 0;
     if (far_off_ >= 5) return fail("Newton diverges: the residual has stayed as large as the forces for five iterations");
     detect_cycle(settled);
+    if (e.n_closed > 0) detect_swing(iteration, e.force_residual / e.force_scale);
     if (iteration >= options_.largest_iterations)
       return fail(cycles_ > 0 ? "the active set cycles" : fmt::format("Newton stopped after {} iterations", iteration));
     return status_;
@@ -166,7 +167,7 @@ class StepStatus : public NOX::StatusTest::Generic {
       const auto pressure = x.getData(), gap = e.gap->getData();
       const DofSpace& dofs = shared_->problem.dofs();
       const double no_gap = 1e-12 * shared_->problem.scene().size,
-                   no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor());
+                   no_pressure = std::max(1e-12 * greatest_pressure(x), shared_->problem.scene().pressure_floor);
       std::vector<int> matters(changed.size(), 0), all(changed.size(), 0);
       for (std::size_t k = 0; k < changed.size(); ++k) {
         const int local = map.getLocalElement(dofs.global(dofs.n_nodes() + changed[k]));
@@ -203,6 +204,23 @@ class StepStatus : public NOX::StatusTest::Generic {
     met_.clear();
   }
 
+  // Newton's method that swings between two states, as between two directions of slip: the next steps are halved.
+  void detect_swing(int iteration, double residual) {
+    std::rotate(residuals_.begin(), residuals_.end() - 1, residuals_.end());
+    residuals_[0] = residual;
+    if (damped_ > 0) {
+      --damped_;
+      shared_->halve_next = true;
+      return;
+    }
+    constexpr int first_iteration = 7;  // before that the active set is found
+    const auto alike = [this](int a, int b) { return std::abs(residuals_[a] - residuals_[b]) < 0.1 * residuals_[a]; };
+    if (iteration < first_iteration || !(residual > 1e-6) || !alike(0, 2) || !alike(1, 3)) return;
+    shared_->halve_next = true;
+    damped_ = 5;
+    residuals_.fill(0);
+  }
+
   std::shared_ptr<NewtonShared> shared_;
   const SolverOptions& options_;
   const State& start_;
@@ -211,8 +229,9 @@ class StepStatus : public NOX::StatusTest::Generic {
   NOX::StatusTest::StatusType status_ = NOX::StatusTest::Unevaluated;
   std::vector<char> set_, previous_;      // per multiplier: 0 open, 1 closed, 3 closed and sticking
   std::map<std::vector<char>, int> met_;  // how often each set was arrived at
-  int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0, far_off_ = 0;
+  int opened_ = 0, closed_ = 0, cycles_ = 0, further_ = 0, far_off_ = 0, damped_ = 0;
   double last_residual_ = 0;
+  std::array<double, 4> residuals_{};  // over the scale, the last one first
 };
 
 }  // namespace

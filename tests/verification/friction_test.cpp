@@ -113,6 +113,76 @@ TEST(Friction, CostsNothingWhereThereIsNone) {
   EXPECT_EQ(greatest_of(run["stick"]) + greatest_of(run["slip"]), 0);
 }
 
+// Each pair has its own unknowns and its own memory for them.
+TEST(Friction, ActsInItsOwnPairAlone) {
+  const std::string block = word("recipe", "block") + deck_parameter("elements", "Array(int)", "{3, 3, 1}") +
+                            deck_parameter("origin", "Array(double)", "{2.6, 1.7, 1}");
+  const std::string hand = word("set", "other/top") + word("x", "0.3*max(t-1,0)") + word("y", "0") + word("z", "-0.1*min(t,1)");
+  const auto with_entry = [](const std::string& deck, const std::string& of, const std::string& entry) {
+    const std::string begin = "<ParameterList name=\"" + of + "\">\n";
+    return with(deck, begin, begin + entry);
+  };
+  std::string deck = DrawnBlock();
+  deck = with_entry(deck, "meshes", list("other", block));
+  deck = with_entry(deck, "bodies", list("other", word("mesh", "other") + word("material", "stiff")));
+  deck = with_entry(deck, "supports", list("other hand", hand));
+  deck = with_entry(deck, "contact", list("smooth", word("secondary", "other/bottom") + word("primary", "slab/top")));
+  const MarchedScene run{deck};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  const auto x = run.unknowns();
+  const DofSpace& dofs = run.scene.problem.dofs();
+  const auto &smooth = *run.scene.problem.pairs()[0], &rubbing = *run.scene.problem.pairs()[1];
+  for (std::size_t k = 0; k < rubbing.pair().secondary_nodes.size(); ++k) {
+    const double* at = &x[static_cast<std::size_t>(dofs.global(rubbing.pressure_point(k)))];
+    EXPECT_NEAR(std::hypot(at[1], at[2], at[3]), 0.4 * std::max(at[0], 0.0), 1e-8);
+    EXPECT_EQ(dofs.size(smooth.pressure_point(k)), 1);
+  }
+  EXPECT_GT(run["contact_force_z.smooth"].back(), 0.5);
+}
+
+// What supports hold on both sides exact stick need not hold: no row without a pivot.
+TEST(Friction, SticksInPlaneStrain) {
+  DrawnBlock deck;
+  deck.mu = "5";
+  deck.drawn = "0.02*max(t-1,0)";
+  std::string plane = with(with(deck, "{5, 4, 1}", "{5, 1, 1}"), "{3, 3, 1}", "{3, 1, 1}"), held;
+  for (const char* side : {"slab/front", "slab/back", "block/front", "block/back"}) {
+    std::string name = side;
+    std::replace(name.begin(), name.end(), '/', ' ');
+    held += list(name, word("set", side) + word("y", "0"));
+  }
+  const std::string supports = "<ParameterList name=\"supports\">\n";
+  plane = with(plane, supports, supports + held);
+  const MarchedScene run{plane};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  EXPECT_GT(run["stick"].back(), run["slip"].back());
+  EXPECT_GT(std::abs(run["contact_force_x.pair"].back()), 0.1);
+}
+
+// At nodes that a support holds along their normals, beside free ones, it alone pushes (case A13).
+TEST(HeldNodes, HaveNoPressureAlongTheirSupport) {
+  DrawnBlock deck;
+  deck.law = " ";
+  deck.drawn = "0";
+  const std::string supports = "<ParameterList name=\"supports\">\n";
+  const std::string edge = list("edge", word("set", "block/left") + word("z", deck.pressed));
+  const MarchedScene run{with(deck, supports, supports + edge)};
+  ASSERT_EQ(run.summary.code, ExitCode::done) << run.summary.cause << run.log;
+  const MortarTerm& pair = *run.scene.problem.pairs()[0];
+  const auto x = run.unknowns();
+  int n_held = 0, n_pressing = 0;
+  for (std::size_t k = 0; k < pair.pair().secondary_nodes.size(); ++k) {
+    const double pressure = x[static_cast<std::size_t>(run.scene.problem.dofs().global(pair.pressure_point(k)))];
+    n_held += pair.is_held(k);
+    n_pressing += pressure > 0;
+    if (pair.is_held(k)) {
+      EXPECT_EQ(pressure, 0);
+    }
+  }
+  EXPECT_EQ(n_held, 4);
+  EXPECT_GT(n_pressing, 0);
+}
+
 /// Two free blocks, the upper one flies onto the lower one, slides, and both spin away.
 struct FlyingBlocks {
   std::string scheme = "energy momentum midpoint contact", friction, step = "0.01", end = "0.4";
