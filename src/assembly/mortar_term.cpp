@@ -175,11 +175,11 @@ void MortarTerm::integrate_facet(Facet& facet, const double* x, bool with_tangen
       if (!pair_values(input, friction..., rule_, pair)) return;
       ++counts_.overlaps;
       const double* c = pair.covered_area;
+      for (int a = 0; a < 4; ++a) covered += c[a];  // whatever of it counts
       const double* g = &pair.row[36];
       const double gap = (g[0] + g[1] + g[2] + g[3]) / (c[0] + c[1] + c[2] + c[3]);
       if (gap > farthest() || gap < -facet.deepest) return;  // too far apart to matter, or on the body's other side
       if (with_tangent) pair_tangent(input, friction..., rule_, pair);
-      for (int a = 0; a < 4; ++a) covered += c[a];
       PairWeight weight = facing;
       add_nearness(pair, farthest(), with_tangent, weight);
       weigh(weight, with_tangent, pair);
