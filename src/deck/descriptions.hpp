@@ -103,13 +103,12 @@ void describe(Fields& f, ContactOptions& o) {
       "mesh name / side set that carries the multipliers (the thesis' slave or non-mortar side); best the finer one, and one "
       "that the other side covers: at partly covered nodes the contact law yields, which costs force");
   f.required("primary", o.primary, anything, "", "mesh name / side set on the other side (master, mortar)");
-  f.choice(
-      "method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
-      "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; "
-      "where "
-      "a node is partly covered a closed gap yields by 1e-6 (h/E of both sides) (whole area / covered area - 1)^2 pressure; "
-      "pairs of facets count less and less from 70 to 80 degrees of turning away from each other, and from 0.8 to 1 facet "
-      "of distance");
+  f.choice("method", o.method, Choices<ContactMethod>{{"mortar", ContactMethod::mortar}}, Presence::optional,
+           "mortar: segment-to-segment, contact conditions in the mean over the overlap: gap >= 0, pressure >= 0, one of them 0; "
+           "where "
+           "a node is partly covered a closed gap yields by 1e-6 (h/E of both sides) (whole area / covered area - 1)^2 pressure; "
+           "pairs of facets count less and less from 70 to 80 degrees of turning away from each other, and from 0.8 to 1 facet "
+           "of distance");
   f.choice("contact force", o.force,
            Choices<ContactForce>{{"thesis", ContactForce::thesis}, {"interpolated normal", ContactForce::interpolated_normal}},
            Presence::optional,

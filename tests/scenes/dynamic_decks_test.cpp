@@ -24,7 +24,7 @@ INSTANTIATE_TEST_SUITE_P(Inputs, DynamicDeck,
                                          "incline/resting", "incline/sliding", "released_beam/energy_momentum",
                                          "mass_point/modified", "mass_point/standard", "spring_pendulum/augmented",
                                          "spring_pendulum/soft_forward_euler", "spring_pendulum/stiff_energy_momentum_coarse",
-                                         "spring_pendulum/stiff_generalised_alpha", "tori/mortar_frictionless"));
+                                         "spring_pendulum/stiff_generalised_alpha"));
 
 // F3 of the catalogue of hard cases: more fields, frames at times between the steps, a probe more, and the same digits.
 TEST(Observers, ChangeNoDigitOfTheSolution) {

@@ -53,8 +53,7 @@ TEST(PairWeight, HasItsDerivativeInTheSharesOfThePair) {
   int n_turning = 0, n_parting = 0;
   for (int trial = 0; trial < 200 && (n_turning < 5 || n_parting < 5); ++trial) {
     const bool is_turning = trial % 2 == 0;
-    const auto input =
-        turned(overlapping_pair(random, 0.3), is_turning ? random.in(68, 78) : 0, is_turning ? 0 : 0.9 * farthest);
+    const auto input = turned(overlapping_pair(random, 0.3), is_turning ? random.in(68, 78) : 0, is_turning ? 0 : 0.9 * farthest);
     PairTangent pair;
     const double facing = facing_weight(input).value;
     const auto rows = weighed(input, true, pair);
