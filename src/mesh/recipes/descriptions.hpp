@@ -123,8 +123,8 @@ void describe(Fields& f, RingSector& o) {
 }
 
 /// Height of a circle of radius R above its lowest point at the distance d <= R from there: R - sqrt(R^2 - d^2), without
-/// cancellation.
-inline double sagitta(double R, double d) { return d * d / (R + std::sqrt((R - d) * (R + d))); }
+/// cancellation; 0 at no distance, whatever the radius.
+inline double sagitta(double R, double d) { return d == 0 ? 0 : d * d / (R + std::sqrt((R - d) * (R + d))); }
 
 /// How far the lower face reaches from its crown.
 inline double reach(const CurvedIndenter& o) {
